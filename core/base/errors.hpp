@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace gyro {
+
+/// Something the user gave cannot be used: problem; what is accepted. Exit code 2.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The run left its limits of validity (not finite, overlap, energy). Exit code 4.
+struct StoppedByGuard : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A file could not be written or the disk is full. Exit code 5.
+struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The device asked for is not there, or memory ran out. Exit code 6.
+struct NoDevice : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace gyro

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/scene.hpp"
+#include "core/dem/window.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gyro {
+
+/// A sphere to be put into the scene.
+struct NewParticle {
+  ParticleId id;
+  Vec3d position, velocity, spin;
+  double radius, density;
+};
+
+/// A bond to be put into the scene, between two particles of the same NewRock.
+struct NewBond {
+  Index i, j;       ///< positions in NewRock::particles, i < j
+  double length;    ///< L0 [m]
+  double radius;    ///< Rb [m]
+  double strength;  ///< factor on both strengths [-]
+};
+
+/// A rock to be put into the scene. Bonds are grouped by colour as in RockTemplate.
+struct NewRock {
+  RockId id;
+  std::vector<NewParticle> particles;
+  std::vector<NewBond> bonds;
+  std::vector<Index> colour_begin;
+};
+
+/// The particles of a scene, one row each, in order of id.
+struct ParticleSnapshot {
+  std::vector<ParticleId> id;
+  std::vector<RockId> rock;
+  std::vector<Index> fragment;  ///< row of the first particle of the same fragment
+  std::vector<Vec3d> position, velocity, spin;
+  std::vector<Vec3d> force;  ///< sum of contact, wall and bond forces, without gravity [N]
+  std::vector<double> radius, mass;
+  std::size_t size() const { return id.size(); }
+};
+
+/// The intact bonds of a scene.
+struct BondSnapshot {
+  std::vector<Index> i, j;           ///< rows in the particle snapshot
+  std::vector<double> normal_force;  ///< tension positive [N]
+  std::vector<double> stress_ratio;  ///< larger of tension/strength and shear/strength [-]
+  std::vector<double> radius;        ///< [m]
+  std::size_t size() const { return i.size(); }
+};
+
+enum class BreakMode : std::uint8_t { tension = 1, shear = 2 };
+
+/// One broken bond.
+struct Breakage {
+  double time;
+  BreakMode mode;
+  Vec3d position;
+  RockId rock;
+  ParticleId i, j;
+  double energy;  ///< elastic energy that the bond released [J]
+};
+
+/// What the rock did to one wall over the last window.
+struct WallLoad {
+  Vec3d force{0, 0, 0};   ///< mean over the window [N]
+  Vec3d moment{0, 0, 0};  ///< mean, about the world's origin [N m]
+  double work = 0;        ///< done by the wall on the rock in the window [J]
+};
+
+/// Energies of the scene [J]. The first four are states, the others add up since the start.
+struct EnergyTerms {
+  double kinetic = 0, potential = 0, contact_elastic = 0, bond_elastic = 0;
+  double contact_damping = 0, friction = 0, bond_damping = 0, bond_breakage = 0;
+  double wall_work = 0;
+};
+
+/// Extremes of the last window, for the guard.
+struct Extremes {
+  bool finite = true;
+  ParticleId culprit = 0;    ///< of the largest overlap, or the first that is not finite
+  double overlap_ratio = 0;  ///< largest contact overlap / smaller radius [-]
+  double speed_ratio = 0;    ///< largest v dt / R [-]
+  double turn = 0;           ///< largest spin x dt [rad]
+};
+
+/// Counts of live things.
+struct Counts {
+  std::int64_t particles = 0, bonds_intact = 0, broken_tension = 0, broken_shear = 0;
+  std::int64_t particle_steps = 0, bond_steps = 0, rebuilds = 0;
+};
+
+/// A discrete element scene on one executor and in one precision. Calls are cheap at the
+/// scale of a window and virtual only there.
+class Dem {
+ public:
+  virtual ~Dem() = default;
+  /// Adds rocks between windows. Ids must be new.
+  virtual void insert(std::span<const NewRock> rocks) = 0;
+  /// Removes particles between windows. @param ids particles, whole fragments.
+  virtual void remove(std::span<const ParticleId> ids) = 0;
+  /// Advances by one window; every wall moves as its motion says, gyrating ones along `path`.
+  /// @throws StoppedByGuard if memory for contacts cannot be had
+  virtual void advance(const Window& window, const MantlePath& path) = 0;
+
+  virtual std::vector<WallLoad> wall_loads() const = 0;  ///< of the last window, one per wall
+  virtual EnergyTerms energy() const = 0;                ///< now
+  virtual Extremes extremes() const = 0;                 ///< of the last window
+  virtual Counts counts() const = 0;
+  virtual Vec3d momentum() const = 0;                  ///< [kg m/s]
+  virtual ParticleSnapshot particles() const = 0;      ///< now, fragments labelled
+  virtual BondSnapshot bonds() const = 0;              ///< now
+  virtual std::vector<Breakage> take_breakages() = 0;  ///< since the last call, ordered by time, i, j
+};
+
+}  // namespace gyro

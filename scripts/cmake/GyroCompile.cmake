@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How every target of the project is compiled.
+
+# An interface that carries language, warnings and floating-point rules.
+add_library(gyro_compile INTERFACE)
+target_compile_features(gyro_compile INTERFACE cxx_std_20)
+target_include_directories(gyro_compile INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(gyro_compile INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Werror>
+  # Same bits on every machine, thread count and device: no contraction, no reordering.
+  # Not asking for errno or traps changes no value and lets loops vectorise.
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -fno-math-errno -fno-trapping-math>)
+if(GYRO_NATIVE)
+  # -Wno-psabi: packs of 16 floats are only passed inside inlined functions.
+  target_compile_options(gyro_compile INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-march=native -mprefer-vector-width=512>)
+endif()
+target_compile_options(gyro_compile INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>)
+
+# gyro_library(NAME SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
+function(gyro_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC gyro_compile ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+# gyro_test(NAME SOURCES ... LIBS ... [LABELS ...]): one Catch2 executable, one ctest per test case.
+function(gyro_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE gyro_compile ${ARG_LIBS} Catch2::Catch2WithMain)
+  catch_discover_tests(${name} TEST_PREFIX "${name}: "
+                       PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+endfunction()

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Finds out whether the CUDA engine is built: sets GYRO_WITH_CUDA.
+
+set(GYRO_WITH_CUDA OFF)
+if(NOT GYRO_CUDA STREQUAL "OFF")
+  include(CheckLanguage)
+  if(NOT CMAKE_CUDA_COMPILER AND EXISTS /usr/local/cuda/bin/nvcc)
+    set(CMAKE_CUDA_COMPILER /usr/local/cuda/bin/nvcc)
+  endif()
+  check_language(CUDA)
+  if(CMAKE_CUDA_COMPILER)
+    if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+      set(CMAKE_CUDA_ARCHITECTURES 80-real 90-virtual CACHE STRING "GPUs to compile for")
+    endif()
+    enable_language(CUDA)
+    find_package(CUDAToolkit REQUIRED)
+    set(GYRO_WITH_CUDA ON)
+  elseif(GYRO_CUDA STREQUAL "ON")
+    message(FATAL_ERROR "GYRO_CUDA=ON, but no CUDA compiler was found; install the CUDA Toolkit or use GYRO_CUDA=AUTO")
+  endif()
+endif()
+message(STATUS "CUDA engine: ${GYRO_WITH_CUDA}")
