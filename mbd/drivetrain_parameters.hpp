@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mbd/losses.hpp"
+#include "mbd/motor.hpp"
+
+namespace gyro {
+
+/// How the machine is at time 0.
+enum class DrivetrainStart {
+  running,  ///< turns at the speed where the motor just carries the losses without rock
+  rest      ///< stands still; the motor is switched on at time 0
+};
+
+/// Everything the drivetrain is told by the user. SI units, angles in rad.
+struct DrivetrainParameters {
+  Motor motor;
+  double gear_ratio = 1;         ///< motor speed / eccentric speed, > 0 [-]
+  double gear_efficiency = 1;    ///< of the power that passes the gear, either way, 0 < eff <= 1 [-]
+  double motor_inertia = 0;      ///< motor, coupling and pinion, about the motor shaft, >= 0 [kg m2]
+  double eccentric_inertia = 0;  ///< eccentric and bevel gear, about the machine's axis, >= 0 [kg m2]
+  LossParameters losses;
+  DrivetrainStart start = DrivetrainStart::running;
+  double start_angle = 0;  ///< eccentric angle at time 0 [rad]
+
+  /// J_eff = J_eccentric + i^2 J_motor, seen at the eccentric [kg m2].
+  double effective_inertia() const { return eccentric_inertia + gear_ratio * gear_ratio * motor_inertia; }
+};
+
+/// @throws BadInput when a value is out of its range, or rest is asked of a constant-speed motor
+void check_drivetrain(const DrivetrainParameters& parameters);
+
+}  // namespace gyro

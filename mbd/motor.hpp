@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+#include <vector>
+
+// Motor laws: quasi-static torque at the motor shaft against the shaft's speed.
+// Units: N m, rad/s, W. A positive torque drives forward; a negative one brakes a motor that
+// turns forward (generator). The electrical transients of the motor (some 10 ms) are left out.
+
+namespace gyro {
+
+/// Induction motor after Kloss (1909), from the figures of its name plate.
+///
+///   T(s) = 2 Tb s sb / (s^2 + sb^2),   s = 1 - speed / synchronous_speed
+///   Tb = breakdown_ratio TN,  TN = rated_power / ((1 - sN) synchronous_speed)
+///   sb = sN (lambda + sqrt(lambda^2 - 1)),  lambda = breakdown_ratio
+///
+/// so that T(sN) = TN. This form has no 0/0 at s = 0 and holds on every branch: s < 0 brakes
+/// (generator), 0 < s < 1 drives, s > 1 is a shaft that turns backwards (plugging).
+/// Limit: the stator's resistance is left out, so the starting torque 2 Tb / (sb + 1/sb) is lower
+/// (0.4 TN for sN 1.67 %, lambda 2.5) than that of real crusher motors (about 2 TN, NEMA C): give
+/// a CurveMotor where the start under load matters.
+struct InductionMotor {
+  double rated_power = 0;        ///< mechanical, at the shaft [W]
+  double synchronous_speed = 0;  ///< [rad/s]
+  double rated_slip = 0;         ///< sN, 0 < sN < 1 [-]
+  double breakdown_ratio = 0;    ///< largest torque / rated torque, > 1 [-]
+
+  double rated_torque() const;      ///< TN [N m]
+  double breakdown_torque() const;  ///< Tb [N m]
+  double breakdown_slip() const;    ///< sb [-]
+  double torque(double speed) const;
+  /// Speed of zero torque [rad/s].
+  double no_load_speed() const { return synchronous_speed; }
+  /// Speed at which the losses are quoted [rad/s].
+  double rated_speed() const { return (1 - rated_slip) * synchronous_speed; }
+};
+
+/// Motor whose torque falls on a straight line, as that of a DC machine at constant voltage:
+///   T = stall_torque (1 - speed / synchronous_speed)
+struct DroopMotor {
+  double synchronous_speed = 0;  ///< speed of zero torque [rad/s]
+  double stall_torque = 0;       ///< at standstill [N m]
+
+  double torque(double speed) const { return stall_torque * (1 - speed / synchronous_speed); }
+  double no_load_speed() const { return synchronous_speed; }
+  double rated_speed() const { return synchronous_speed; }
+};
+
+/// The droop that the curves of Xiong et al. (Minerals 2024, 14, 774, Fig. 10) follow: at the
+/// eccentric through (160 rpm, 0) and (125 rpm, 21 kN m), that is 5729.6 N m s/rad (16.755 rad/s - w),
+/// 96 kN m at standstill; at the motor shaft, through the gear of 3.75: 600 rpm and 25.6 kN m.
+DroopMotor paper_droop();
+
+/// Motor given by a table, linear in between. Below the first speed the torque of the first point
+/// is kept; above the last speed the line through the last two points goes on. So a catalogue curve
+/// from standstill to the synchronous speed is complete: it brakes above, and pushes with its
+/// locked-rotor torque when it is turned backwards.
+struct CurveMotor {
+  std::vector<double> speeds;   ///< increasing, the first <= 0 [rad/s]
+  std::vector<double> torques;  ///< as many; the last <= 0, the one before it > 0 [N m]
+
+  double torque(double speed) const;
+  double no_load_speed() const;  ///< zero of the last segment [rad/s]
+  double rated_speed() const { return no_load_speed(); }
+};
+
+/// Ideal drive: the eccentric turns at this speed whatever the load; the torque is what that takes.
+struct ConstantSpeedMotor {
+  double speed = 0;  ///< of the motor shaft, > 0 [rad/s]
+
+  double no_load_speed() const { return speed; }
+  double rated_speed() const { return speed; }
+};
+
+/// All motor laws there are.
+using Motor = std::variant<InductionMotor, DroopMotor, CurveMotor, ConstantSpeedMotor>;
+
+/// @throws BadInput when a figure of the motor is out of its range
+void check_motor(const Motor& motor);
+
+}  // namespace gyro
