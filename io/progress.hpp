@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+namespace gyro {
+
+/// Where a run stands.
+struct ProgressState {
+  double time = 0;                  ///< simulated [s]
+  std::int64_t particle_steps = 0;  ///< done by this process
+  std::int64_t particles = 0;
+  std::optional<std::int64_t> bonds_broken;  ///< none: the scene has no bonds
+  std::optional<double> eccentric_speed;     ///< [rad/s]; none: no drivetrain
+  std::optional<double> crushing_power;      ///< [W]
+};
+
+/// How progress is shown.
+struct ProgressStyle {
+  enum class Form { silent, lines, live } form = Form::lines;
+  bool colour = false;
+  int width = 0;  ///< of the terminal in characters; 0: ask it whenever a line is drawn
+
+  /// Live on a terminal, plain lines into a pipe or file, silent when `quiet`; colour on a terminal
+  /// unless NO_COLOR is set.
+  static ProgressStyle for_stderr(bool quiet);
+};
+
+/// Shows how far a run has come, with the expected time left. Calls cost next to nothing when no
+/// line is due.
+class Progress {
+ public:
+  using Clock = std::function<double()>;  ///< wall clock [s], any origin
+  /// Progress on standard error.
+  Progress(double begin, double end, ProgressStyle style);
+  Progress(double begin, double end, ProgressStyle style, std::ostream& out, Clock clock);
+  void update(const ProgressState& state);
+  /// Shows the last state and leaves the cursor on a fresh line.
+  void finish(const ProgressState& state);
+
+ private:
+  bool is_due(double now, double fraction) const;
+  void learn_rates(double now, const ProgressState& state);
+  void show(double now, const ProgressState& state);
+  std::string describe(double now, const ProgressState& state) const;
+
+  double begin_, end_;
+  ProgressStyle style_;
+  std::ostream& out_;
+  Clock clock_;
+  double started_;
+  double shown_at_, shown_fraction_ = 0;  ///< of the last line
+  double learnt_at_, learnt_time_;        ///< of the last look at the rates
+  std::int64_t learnt_steps_ = 0;
+  double time_rate_ = 0, step_rate_ = 0;  ///< per second of wall clock, smoothed
+};
+
+/// Short duration for people: "0.4 s", "37 s", "12 min 05 s", "3 h 20 min", "4 d 06 h".
+std::string format_duration(double seconds);
+
+/// Three figures with an SI prefix: 12345678 -> "12.3 M".
+std::string format_count(double value);
+
+}  // namespace gyro

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace gyro {
+
+/// What the command line says about the output.
+struct RunDirectoryRequest {
+  std::optional<std::filesystem::path> out;  ///< --out
+  std::string case_name;                     ///< names runs/<case>-NNN when there is no --out
+  bool resume = false, overwrite = false;
+};
+
+/// The directory a run writes to, which exists and can be written.
+struct RunDirectory {
+  enum class State {
+    fresh,      ///< holds no run: start at the beginning
+    half_done,  ///< holds a run that --resume continues
+    finished    ///< holds a run with status `done`: leave it alone, or go on if --resume asks for a later end
+  };
+  std::filesystem::path path;
+  State state = State::fresh;
+  double simulated_seconds = 0;  ///< of the finished or half-done run, as far as its summary says
+};
+
+/// Finds or makes the directory of a run. Without `out` it is runs/<case>-NNN below the working
+/// directory, always a new one. `--overwrite` removes the files that a run writes and no others.
+/// --resume of a directory without a run starts a fresh one, so that a scheduler may always pass it.
+/// @throws BadInput for a half-done run without resume or overwrite, for both of them, for one of them
+///         without `out`, or if `out` is not a directory
+/// @throws OutputError when it cannot be made or written
+RunDirectory open_run_directory(const RunDirectoryRequest& request);
+
+}  // namespace gyro

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace gyro {
+
+enum class RunStatus {
+  done,         ///< the whole duration, or --until
+  interrupted,  ///< signal or --max-walltime, with a checkpoint
+  stopped,      ///< by a guard or the ledger
+  failed        ///< any other error
+};
+
+/// @returns the word used in summary.json
+std::string to_string(RunStatus status);
+
+/// What a run came to. A quantity that the case does not define, or that is not finite, is null in JSON.
+struct Summary {
+  RunStatus status = RunStatus::failed;
+  std::string reason;  ///< why it is not done; empty when it is
+  std::string title, version, git_hash, device, precision;
+  int threads = 0;
+  double simulated_seconds = 0, wall_seconds = 0;
+  std::int64_t particle_steps = 0;  ///< live particles, summed over steps
+  std::int64_t bond_steps = 0;      ///< intact bonds, summed over sub-steps
+  double time_step = 0;             ///< [s]
+  double time_step_limit = 0;       ///< stability limit before the safety factor [s]
+  std::int64_t particles = 0;       ///< live at the end
+  std::int64_t bonds_initial = 0, bonds_broken = 0;
+  std::optional<double> feed_mass, discharged_mass;  ///< [kg]
+  std::optional<double> throughput_tph;              ///< discharged mass / simulated time [t/h]
+  std::optional<double> specific_energy_kwh_per_t;   ///< crushing energy / discharged mass
+  std::optional<double> p80;                         ///< sieve size that 80 % of the product passes [m]
+  std::optional<double> mean_crushing_power;         ///< [W]
+  std::optional<double> energy_residual_fraction;    ///< residual / work done by walls and gravity
+  std::optional<double> mass_residual_fraction;      ///< from particle counts
+  bool stalled = false;
+};
+
+/// summary.json as text.
+std::string to_json(const Summary& summary);
+
+/// One screen for the terminal: only lines that say something about this run.
+std::string to_text(const Summary& summary, const std::filesystem::path& directory);
+
+/// Writes DIRECTORY/summary.json in one piece. @throws OutputError
+void write_summary(const Summary& summary, const std::filesystem::path& directory);
+
+/// What a later run in the same directory needs to know.
+struct EarlierRun {
+  std::string status;
+  double simulated_seconds = 0;
+};
+
+/// Reads DIRECTORY/summary.json. @returns nothing when it is missing or not a summary
+std::optional<EarlierRun> read_summary(const std::filesystem::path& directory);
+
+}  // namespace gyro
