@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyro {
+
+/// What a quantity of the case file measures.
+enum class Dimension {
+  number,                // [-], also percent
+  length,                // [m]
+  area,                  // [m2]
+  volume,                // [m3]
+  mass,                  // [kg]
+  time,                  // [s]
+  angle,                 // [rad]
+  speed,                 // [m/s]
+  angular_speed,         // [rad/s]
+  acceleration,          // [m/s2]
+  force,                 // [N]
+  torque,                // [N m]
+  pressure,              // [Pa]
+  stiffness,             // [N/m]
+  stiffness_per_area,    // [Pa/m]
+  density,               // [kg/m3]
+  mass_flow,             // [kg/s]
+  power,                 // [W]
+  energy,                // [J]
+  inertia,               // [kg m2]
+  rotational_damping,    // [N m s]
+};
+
+/// A unit that a case file may use.
+struct Unit {
+  std::string_view name;
+  Dimension dimension;
+  double factor;  ///< value in SI = factor x value in this unit
+};
+
+/// Every unit, grouped by dimension, the SI unit of a dimension first.
+const std::vector<Unit>& units();
+
+/// "a length", "a time" ... with its article.
+std::string_view name_of(Dimension dimension);
+
+/// SI unit of a dimension; "1" for a plain number.
+std::string_view si_unit(Dimension dimension);
+
+/// A parsed number, or why the text is none.
+struct ParsedNumber {
+  std::optional<double> value;  ///< in SI
+  std::string problem;          ///< "problem; what is accepted" when there is no value
+};
+
+/// Reads `12`, `1e-3`, `120 mm`, `50 kg m2` as the given dimension. A plain number is in SI.
+/// Refused: other dimensions, unknown units, not finite values, `010`, `0x10`, anything left over.
+ParsedNumber parse_quantity(std::string_view text, Dimension dimension);
+
+/// Reads a whole number: `24` or `1e6`; refused: `010`, `0x18`, `2.5`, units.
+/// The value is exact up to 2^53.
+ParsedNumber parse_integer(std::string_view text);
+
+}  // namespace gyro
