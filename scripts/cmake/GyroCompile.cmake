@@ -17,6 +17,17 @@ if(GYRO_NATIVE)
 endif()
 target_compile_options(gyro_compile INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>)
 
+# Sanitizers change no arithmetic: the floating-point rules above stay.
+set(GYRO_SANITIZE "" CACHE STRING "Sanitizers, as in -fsanitize=: address,undefined or thread (with clang++)")
+if(GYRO_SANITIZE)
+  set(sanitize -fsanitize=${GYRO_SANITIZE} -fno-sanitize-recover=all)
+  target_compile_options(gyro_compile INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:${sanitize} -fno-omit-frame-pointer>
+    # The inserted checks hide from GCC that a value is set on every path.
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized>)
+  target_link_options(gyro_compile INTERFACE $<$<LINK_LANGUAGE:CXX>:${sanitize}>)
+endif()
+
 # gyro_library(NAME SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 function(gyro_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
@@ -25,10 +36,21 @@ function(gyro_library name)
 endfunction()
 
 # gyro_test(NAME SOURCES ... LIBS ... [LABELS ...]): one Catch2 executable, one ctest per test case.
+# Without LABELS a test is `unit`; `nightly` ones run only when asked for.
 function(gyro_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBS;LABELS" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE gyro_compile ${ARG_LIBS} Catch2::Catch2WithMain)
-  catch_discover_tests(${name} TEST_PREFIX "${name}: "
-                       PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+  catch_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES TIMEOUT 600)
+  # catch_discover_tests() would keep only the first of several labels. Its file, which ctest
+  # has read by the time it reads ours, leaves the names in <name>_TESTS.
+  set(labels_file ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake)
+  file(WRITE ${labels_file}
+    "foreach(test IN LISTS ${name}_TESTS)\n"
+    "  set_tests_properties(\"\${test}\" PROPERTIES LABELS \"${ARG_LABELS}\")\n"
+    "endforeach()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels_file})
 endfunction()

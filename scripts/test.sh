@@ -1,0 +1,26 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what is missing, builds everything and runs every test but the nightly ones.
+# Arguments go to ctest:
+#   scripts/test.sh [-L unit] [-R bond] [-L nightly] ...
+set -euo pipefail
+
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(dirname "$scripts")
+
+"$scripts/setup.sh"
+"$scripts/build.sh"
+
+# Two -LE options would exclude only what matches both.
+select=(-LE nightly)
+for argument in "$@"; do
+  case $argument in
+    -LE* | --label-exclude* | *nightly*) select=() ;;
+  esac
+done
+
+# Tests run side by side: threads that wait must not spin on each other's cores.
+cores=$(nproc)
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
+export OMP_NUM_THREADS=${OMP_NUM_THREADS:-$((cores < 4 ? cores : 4))}
+exec ctest --test-dir "$root/build/release" --output-on-failure --no-tests=error -j "$cores" "${select[@]}" "$@"
