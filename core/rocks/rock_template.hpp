@@ -43,6 +43,7 @@ struct RockLibrary {
   std::vector<RockTemplate> rocks;
   double seconds = 0;  ///< time it took to make or to read [s]
   bool from_cache = false;
+  std::vector<std::string> notes;  ///< repairs made to shape files, for the log
 };
 
 }  // namespace gyro

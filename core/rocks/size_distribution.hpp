@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gyro {
+
+/// One sieve: the mass fraction of the rock that is smaller.
+struct PassingPoint {
+  double size;      ///< [m]
+  double fraction;  ///< in [0, 1]
+};
+
+/// Straight lines between sieves: sizes ascending, fractions not falling, first 0 and last 1.
+struct PassingTable {
+  std::vector<PassingPoint> points;
+};
+
+/// 1 - exp(-(x/x63)^exponent), cut off at both ends and scaled to run from 0 to 1 between them.
+struct RosinRammler {
+  double x63;                ///< size that 63.2 % of the uncut distribution passes [m]
+  double exponent;           ///< [-]
+  double smallest, largest;  ///< cut-offs [m]
+};
+
+/// (x/largest)^exponent, cut off below `smallest` and scaled to run from 0 to 1.
+struct GatesGaudinSchuhmann {
+  double largest;   ///< [m]
+  double exponent;  ///< [-]
+  double smallest;  ///< cut-off, above 0 [m]
+};
+
+using SizeLaw = std::variant<PassingTable, RosinRammler, GatesGaudinSchuhmann>;
+
+/// Distribution of rock sizes by mass. The size of a rock is the diameter of the sphere of its
+/// solid volume.
+class SizeDistribution {
+ public:
+  /// @throws BadInput if the law's numbers make no distribution
+  explicit SizeDistribution(SizeLaw law);
+
+  /// Mass fraction smaller than the size [m], in [0, 1].
+  double passing(double size) const;
+  /// Size [m] that the mass fraction p in [0, 1] passes; the smallest one where the law is flat.
+  double size_at(double p) const;
+  double smallest() const { return size_at(0); }
+  double largest() const { return size_at(1); }
+  const SizeLaw& law() const { return law_; }
+
+ private:
+  SizeLaw law_;
+};
+
+}  // namespace gyro

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/scene.hpp"
+#include "core/rocks/rock_template.hpp"
+
+namespace gyro {
+
+/// Contacts that every particle may collect in a dense bed, on top of its bonds. A Hertz contact at
+/// a fixed overlap/radius has a stiffness proportional to the radius, hence the units.
+struct BedContacts {
+  double number = 0;                ///< contacts of a particle [-]
+  double normal_stiffness = 0;      ///< S_n / R at the stated overlap [N/m per m = Pa]
+  double tangential_stiffness = 0;  ///< S_t / R [Pa]
+  double normal_damping = 0;        ///< c_n / (2 sqrt(S_n m*)), m* = m/2 [-]
+  double tangential_damping = 0;    ///< c_t / (2 sqrt(S_t m*)) [-]
+};
+
+/// Largest stable step [s] of the leapfrog map v += dt M^-1 (-K x - C v), x += dt v of the rock, linearised
+/// at rest, with all bonds intact: the smallest dt at which 4 M - 2 dt C - dt^2 K is singular. Lanczos
+/// iteration on M^-1 (dt^2 K + 2 dt C), 6 degrees of freedom a particle, to a relative 1e-4.
+///
+/// Bed contacts are taken as isotropic, each with its other end moving in counterphase, which bounds any
+/// arrangement of them from above: diagonal 2 number (S_n + 2 S_t)/3 for translations and
+/// 2 number (2/3) S_t R^2 for rotations, damping alike.
+/// @return infinity if nothing is stiff
+double critical_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
+
+/// The same for a single loose particle.
+double loose_critical_step(double radius, double density, const BedContacts& bed);
+
+/// Lower bound on critical_step from Gershgorin's row sums: one pass over the bonds, no iteration.
+double gershgorin_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
+
+}  // namespace gyro
