@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fails on an #include against the direction of dependence.
+
+    base <- math <- laws <- kernels <- dem <- gpu      mbd -> base, math, dem/window.hpp
+    app -> everything                                  io -> core, mbd (not its solver)
+
+Usage: include_lint.py [ROOT]
+"""
+import re
+import sys
+from pathlib import Path
+
+FOLDERS = ("core", "mbd", "io", "app", "gpu")
+SUFFIXES = (".hpp", ".cpp", ".cuh", ".cu", ".h")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+# The longest folder that fits a file decides; it may include files whose path starts so.
+ALLOWED = {
+    "core": ("core/",),
+    "core/base": ("core/base/",),
+    "core/math": ("core/base/", "core/math/"),
+    "core/laws": ("core/base/", "core/math/", "core/laws/"),
+    "mbd": ("core/base/", "core/math/", "core/dem/window.hpp", "mbd/"),
+    "io": ("core/", "mbd/", "io/"),
+    "gpu": ("core/", "gpu/"),
+    "app": ("core/", "mbd/", "io/", "gpu/", "app/"),
+}
+
+# Libraries by the headers they are known by, and the folders that may name them.
+LIBRARIES = (
+    ("yaml-cpp", r"yaml-cpp/", ("io",)),
+    ("HDF5", r"(hdf5|H5\w*)\.h$|hdf5/", ("io", "app")),
+    ("VTK", r"vtk\w+\.h(xx)?$", ("io", "app")),
+    ("SUNDIALS", r"(cvode|nvector|sunmatrix|sunlinsol|sunnonlinsol|sundials|arkode|kinsol|ida)/", ("mbd", "app")),
+    ("CUDA", r"(cuda|curand|cublas|nvtx|nvrtc|nvml)[\w/]*|(cub|thrust|nv|nvtx3)/|cooperative_groups|vector_types\.h",
+     ("gpu",)),
+    ("CGAL", r"CGAL/", ("core/geometry", "core/rocks")),
+    ("spdlog or fmt", r"(spdlog|fmt)/", ("mbd", "io", "app")),
+    ("CLI11", r"CLI/", ("app",)),
+    ("nlohmann-json", r"nlohmann/", ("io", "app")),
+)
+
+
+def inside(path, folder):
+    return path.startswith(folder + "/")
+
+
+def problem_with(path, quote, header, root):
+    """Why the file at `path` (relative to the root) may not include `header`, or None."""
+    if quote == '"' and header.split("/")[0] not in FOLDERS:
+        if header.startswith(".") or (root / path).parent.joinpath(header).exists():
+            return "is relative to the file; includes are relative to the project root"
+    if header.split("/")[0] in FOLDERS + ("tests",):
+        rule = max((folder for folder in ALLOWED if inside(path, folder)), key=len)
+        if not header.startswith(ALLOWED[rule]):
+            return f"is against the arrows; {rule} may include {', '.join(ALLOWED[rule])}"
+        if inside(path, "io") and header.startswith("mbd/cvode"):
+            return "is the drivetrain's solver; io may include its parameters only"
+    for library, pattern, folders in LIBRARIES:
+        if re.match(pattern, header) and not any(inside(path, folder) for folder in folders):
+            return f"belongs to {library}, which only {', '.join(folders)} may include"
+    return None
+
+
+def problems(root):
+    """All problems below `root`, as FILE:LINE: texts."""
+    found = []
+    files = [file for folder in FOLDERS for file in sorted((root / folder).rglob("*")) if file.suffix in SUFFIXES]
+    for file in files:
+        path = file.relative_to(root).as_posix()
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+            match = INCLUDE.match(line)
+            why = match and problem_with(path, match[1], match[2], root)
+            if why:
+                found.append(f"{path}:{number}: {match[2]} {why}")
+    return found
+
+
+def main():
+    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
+    found = problems(root)
+    print("\n".join(found) or "includes: no problem")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
