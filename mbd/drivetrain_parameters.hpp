@@ -3,6 +3,7 @@
 
 #include "mbd/losses.hpp"
 #include "mbd/motor.hpp"
+#include "mbd/transmission.hpp"
 
 namespace gyro {
 
@@ -25,9 +26,17 @@ struct DrivetrainParameters {
 
   /// J_eff = J_eccentric + i^2 J_motor, seen at the eccentric [kg m2].
   double effective_inertia() const { return eccentric_inertia + gear_ratio * gear_ratio * motor_inertia; }
+  Transmission transmission() const { return {gear_ratio, gear_efficiency}; }
+  /// The losses as torques, with T_0 = no_load_power / (rated motor speed / i).
+  Losses eccentric_losses() const;
 };
 
-/// @throws BadInput when a value is out of its range, or rest is asked of a constant-speed motor
+/// Speed of the eccentric at which the motor just carries the losses without rock [rad/s].
+/// @throws BadInput when the losses are more than the motor can carry
+double idle_speed(const DrivetrainParameters& parameters);
+
+/// @throws BadInput when a value is out of its range, or the machine could not start as asked: the
+/// losses are too large for the motor, or rest is asked of a constant-speed motor
 void check_drivetrain(const DrivetrainParameters& parameters);
 
 }  // namespace gyro

@@ -59,10 +59,10 @@ DroopMotor paper_droop();
 /// locked-rotor torque when it is turned backwards.
 struct CurveMotor {
   std::vector<double> speeds;   ///< increasing, the first <= 0 [rad/s]
-  std::vector<double> torques;  ///< as many; the last <= 0, the one before it > 0 [N m]
+  std::vector<double> torques;  ///< as many; the last <= 0, at least one > 0 [N m]
 
   double torque(double speed) const;
-  double no_load_speed() const;  ///< zero of the last segment [rad/s]
+  double no_load_speed() const;  ///< highest speed at which the torque falls to zero [rad/s]
   double rated_speed() const { return no_load_speed(); }
 };
 
@@ -76,6 +76,9 @@ struct ConstantSpeedMotor {
 
 /// All motor laws there are.
 using Motor = std::variant<InductionMotor, DroopMotor, CurveMotor, ConstantSpeedMotor>;
+
+/// Torque of any motor at a speed of its shaft [N m]; 0 for the ideal drive, which has no law.
+double motor_torque(const Motor& motor, double speed);
 
 /// @throws BadInput when a figure of the motor is out of its range
 void check_motor(const Motor& motor);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace gyro {
+
+/// Integrates one small system of ordinary differential equations, dy/dt = f(y), with CVODE (variable
+/// order BDF, Newton, dense difference Jacobian).
+///
+/// Every integration starts anew with order one and a first step that is a fixed share of the
+/// interval: CVODE's history cannot be saved, so a run that goes on from a checkpoint could not
+/// repeat the bits of one that never stopped if history were kept. The price is some 50 evaluations
+/// of f an interval.
+class CvodeSession {
+ public:
+  /// Writes f(y) into `rate`.
+  using Rate = std::function<void(std::span<const double> y, std::span<double> rate)>;
+  /// Watched for a zero, where the integration ends.
+  using Event = std::function<double(std::span<const double> y)>;
+
+  struct Settings {
+    int size = 0;                                ///< components of y
+    double relative_tolerance = 1e-10;           ///< local error per step / |y| [-]
+    std::span<const double> absolute_tolerance;  ///< one per component, > 0; copied
+    double first_step = 1e-3;                    ///< share of the interval [-]
+  };
+
+  /// @param event  may be empty: then nothing is watched
+  CvodeSession(const Settings& settings, Rate rate, Event event);
+  ~CvodeSession();
+  CvodeSession(CvodeSession&&) noexcept;
+  CvodeSession& operator=(CvodeSession&&) noexcept;
+
+  /// Integrates y in place, from time 0 to `duration` > 0 [s], or to the event if that comes first.
+  /// A zero of the event at the start does not count when the solution moves away from it.
+  /// @return the time reached [s]; less than `duration` only at the event
+  /// @throws StoppedByGuard when CVODE gives up or a value is not finite; what `rate` throws is passed on
+  double integrate(double duration, std::span<double> y);
+
+  /// Evaluations of f in the last integration, without those for the Jacobian.
+  long rate_evaluations() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace gyro

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/window.hpp"
+#include "mbd/drivetrain_parameters.hpp"
+#include "mbd/shaft.hpp"
+
+#include <optional>
+
+namespace gyro {
+
+/// What the rock did to the drive in a window.
+struct MantleLoad {
+  double work = 0;  ///< done by the mantle on the rock [J]
+  /// Mean torque of the rock about the eccentric's axis, positive when it resists forward motion
+  /// [N m]: T_c = -M_O . (z - (z.u) u), with M_O the rock's moment on the mantle about the pivot and u
+  /// the mantle's axis. Asked for only while the mantle stands still, where work says nothing.
+  double resisting_torque = 0;
+};
+
+/// Everything the drivetrain carries from window to window, as plain numbers: a checkpoint saves
+/// and restores it bit for bit.
+struct DrivetrainState {
+  double time = 0;          ///< [s]
+  double angle = 0;         ///< of the eccentric, continuous over turns [rad]
+  double speed = 0;         ///< of the eccentric [rad/s]
+  double direction = 0;     ///< +1 forward, 0 stuck, -1 backward
+  double wall_angle = 0;    ///< eccentric angle to which the last predicted path has led [rad]
+  double rock_torque = 0;   ///< of the last window; the next prediction holds it [N m]
+  double spin_angle = 0;    ///< of the mantle about its own axis [rad]; prescribed 0
+  double spin = 0;          ///< [rad/s]; prescribed 0
+  double stall_time = -1;   ///< first halt of forward motion [s]; < 0: none so far
+  double motor_work = 0;    ///< of the motor on its shaft, since time 0 [J]
+  double loss_work = 0;     ///< in bushings, bearings and gear, since time 0 [J]
+  double rock_work = 0;     ///< of the mantle on the rock, as the DEM counted it, since time 0 [J]
+  double start_energy = 0;  ///< kinetic, at time 0 [J]
+};
+
+/// Means over the last window, for the series.
+struct DrivetrainMeans {
+  double motor_speed = 0;      ///< [rad/s]
+  double eccentric_speed = 0;  ///< [rad/s]
+  double motor_torque = 0;     ///< at the motor's shaft [N m]
+  double mantle_torque = 0;    ///< of the rock at the eccentric, positive when it resists [N m]
+  double motor_power = 0;      ///< mechanical, at the motor's shaft [W]
+  double loss_power = 0;       ///< [W]
+  double crushing_power = 0;   ///< from the mantle to the rock [W]
+  /// Motor power - losses - crushing power - gain of kinetic energy [W]: what the exchange of held
+  /// values creates or destroys. Falls with the square of the window; large against the crushing
+  /// power means that the window is too long for the rock's stiffness and the inertia.
+  double power_residual = 0;
+};
+
+/// The drivetrain as the DEM meets it: it leads with a path, and answers to the load on that path.
+///
+///   path = predict(window);  load = DEM along path;  advance(window, load)
+///
+/// 1. predict integrates the equation of motion over the window with the last window's load. The wall
+///    moves at constant speed from where it is to that angle, so its pose never jumps.
+/// 2. The DEM's work on this path, divided by the angle of the path, is the mean torque of the rock.
+/// 3. advance integrates the same window again from the present state with that torque.
+/// The wall lags the shaft by no more than one prediction error, which the next path makes good.
+/// The exchange is of second order in the window's length for smooth loads.
+class Drivetrain {
+ public:
+  /// At time 0, at start_angle; running at idle_speed, or at rest.
+  /// @throws BadInput as check_drivetrain
+  explicit Drivetrain(const DrivetrainParameters& parameters);
+
+  /// Path of the mantle over the window; exactly still while the shaft is stuck.
+  MantlePath predict(const Window& window);
+
+  /// @param window  the one just predicted
+  /// @throws StoppedByGuard when the load is not finite; std::logic_error on a window not predicted
+  void advance(const Window& window, const MantleLoad& load);
+
+  const DrivetrainState& state() const { return state_; }
+  /// Goes on from a checkpoint of a drivetrain with the same parameters.
+  void restore(const DrivetrainState& state);
+
+  const DrivetrainMeans& means() const { return means_; }                        ///< over the last window
+  double motor_speed() const { return parameters_.gear_ratio * state_.speed; }   ///< now [rad/s]
+  double motor_torque() const;                                                   ///< now, at the motor's shaft [N m]
+  double motor_power() const { return motor_torque() * motor_speed(); }          ///< now, mechanical [W]
+  double kinetic_energy() const { return shaft_.kinetic_energy(state_.speed); }  ///< now [J]
+  /// Motor work - losses - rock work - gain of kinetic energy, since time 0 [J].
+  double energy_residual() const;
+  bool stuck() const { return state_.direction == 0; }     ///< stands still now
+  bool stalled() const { return state_.stall_time >= 0; }  ///< forward motion has come to a halt at least once
+  std::optional<double> stall_time() const;                ///< of the first stall [s]
+
+ private:
+  /// Rock torque from the work along the path, or as given when the path has no length.
+  double mean_rock_torque(const MantleLoad& load) const;
+
+  DrivetrainParameters parameters_;
+  Shaft shaft_;
+  DrivetrainState state_;
+  DrivetrainMeans means_;
+  std::optional<Window> predicted_;  ///< window whose load is awaited
+  double path_angle_ = 0;            ///< turned by the wall in it [rad]
+};
+
+}  // namespace gyro
