@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/scene.hpp"
+
+#include <variant>
+#include <vector>
+
+namespace gyro {
+
+/// A wall of the scene and where it is now.
+struct PlacedWall {
+  const Wall* wall;
+  WallPose pose;
+};
+
+/// Box with edges along x, y, z [m].
+struct BoxRegion {
+  Vec3d low, high;
+};
+
+/// Upright cylinder [m].
+struct CylinderRegion {
+  Vec3d base;  ///< centre of the lower face
+  double radius, height;
+};
+
+/// Ring between two walls about the z axis, or the inside of one.
+struct ChamberRegion {
+  Index outer;         ///< wall, the concave
+  Index inner = none;  ///< wall, the mantle
+  double low, high;    ///< heights [m]; `high` is the limit of the initial charge
+};
+
+/// Where rocks may be placed: every sphere of a rock lies inside.
+using Region = std::variant<BoxRegion, CylinderRegion, ChamberRegion>;
+
+/// Radii that a wall about the z axis of its body leaves free or fills, by height in the body's
+/// frame. Taken from the profile, or from all triangles of a mesh.
+class RadiusByHeight {
+ public:
+  enum class Side { outer, inner };  ///< rock is inside (concave) or around (mantle)
+
+  RadiusByHeight(const Wall& wall, Side side);
+
+  /// Outer: smallest radius of the wall in this height, infinite where there is none.
+  /// Inner: largest radius, 0 where there is none [m].
+  double at(double z) const;
+  double low() const { return low_; }
+  double high() const { return high_; }
+
+ private:
+  double low_, high_, step_;
+  std::vector<double> radius_;  ///< by slice, on the safe side
+};
+
+/// Cylinder of the given height that stands on the top edge of a liner, as wide as its opening.
+/// @throws BadInput for a wall that is no liner about the z axis (a plane)
+CylinderRegion opening_above(const Wall& wall, double height);
+
+}  // namespace gyro

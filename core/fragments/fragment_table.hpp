@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/dem.hpp"
+
+#include <span>
+#include <vector>
+
+namespace gyro {
+
+/// One fragment: particles that are still bonded together, or a single particle.
+struct Fragment {
+  Index first_particle;  ///< row in the snapshot, the smallest of the fragment
+  Index particles;       ///< how many
+  RockId rock;           ///< that it came from
+  double mass;           ///< [kg]
+  double lowest;         ///< z of the lowest point of its spheres [m]
+  double highest;        ///< z of the highest point of its spheres [m]
+  Vec3d centre;          ///< of mass [m]
+};
+
+/// The fragments of a snapshot, in order of their first particle.
+struct FragmentTable {
+  std::vector<Fragment> rows;
+  std::vector<Index> members_begin;  ///< [rows + 1] into members
+  std::vector<Index> members;        ///< snapshot rows, ascending within a fragment
+
+  std::size_t size() const { return rows.size(); }
+  std::span<const Index> members_of(std::size_t row) const;
+};
+
+/// Collects the particles of a snapshot into fragments by its `fragment` column.
+/// Linear in the number of particles.
+FragmentTable fragment_table(const ParticleSnapshot& particles);
+
+/// Sieve size of a fragment [m], see core/fragments/sieve_size.hpp.
+/// @param row           of the table
+/// @param rock_density  of solid rock [kg/m3]
+double sieve_size(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles, double rock_density);
+
+}  // namespace gyro

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/fragments/fragment_table.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gyro {
+
+/// Sieves from 1 mm to 1 m, each sqrt(2) times the one before: 125 mm x 2^(k/2), k = -14 ... 6 [m].
+const std::vector<double>& sieve_series();
+
+/// What had been discharged by a time.
+struct ProductRow {
+  double time = 0;                 ///< [s]
+  double mass = 0;                 ///< [kg]
+  std::int64_t particles = 0;      ///< exact
+  std::int64_t fragments = 0;      ///< as they were when they passed the discharge plane
+  double singles_share = 0;        ///< mass of single particles / mass [-]; 0 without product
+  std::vector<double> passing;     ///< mass share finer than each sieve of the series [-]; zeros without product
+  std::optional<double> p80, p50;  ///< sizes that 80 % and 50 % of the mass pass [m]; none without product
+};
+
+/// Size that a share of the mass passes: passing is linear in log(size) between two sieves.
+/// None when the share lies below the finest or above the coarsest sieve.
+/// @param passing  [sieve_series()], not decreasing
+std::optional<double> passing_size(const std::vector<double>& passing, double share);
+
+/// The product account. A fragment is discharged when all of it is below z = 0; it is then
+/// counted once, as it is, and never again, even if it bounces back or breaks further.
+class Product {
+ public:
+  /// Everything that a checkpoint must keep.
+  struct State {
+    std::vector<std::uint8_t> discharged;  ///< by particle id: 1 when counted
+    std::vector<double>
+        sieve_mass;  ///< by sieve: mass finer than it and not than the next finer; last: coarser than all
+    std::int64_t particles = 0, fragments = 0, singles = 0;
+    double mass = 0, singles_mass = 0;
+  };
+
+  /// @param rock_density  of solid rock [kg/m3], for the size of single particles
+  explicit Product(double rock_density);
+  Product(double rock_density, State state);
+
+  /// Counts the fragments that are newly below the discharge plane.
+  /// @param table  of these particles
+  void update(const FragmentTable& table, const ParticleSnapshot& particles);
+
+  /// Ids of the fragments that have been counted and lie wholly below z = -depth, whole
+  /// fragments only. @param depth  [m], >= 0
+  std::vector<ParticleId> removable(const FragmentTable& table, const ParticleSnapshot& particles, double depth) const;
+
+  bool is_discharged(ParticleId id) const;
+  /// Particles of a snapshot that have not been discharged; what the chamber holds.
+  std::int64_t inside(const ParticleSnapshot& particles) const;
+  ProductRow row(double time) const;
+  const State& state() const { return state_; }
+
+ private:
+  void count(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles);
+
+  double rock_density_;
+  State state_;
+};
+
+}  // namespace gyro

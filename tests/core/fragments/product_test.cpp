@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/fragments/product.hpp"
+
+#include "snapshots.hpp"
+#include "tests/catch.hpp"
+
+#include <cmath>
+#include <numeric>
+
+using namespace gyro;
+
+namespace {
+
+const double rock_density = 2600;
+
+void move_down(ParticleSnapshot& p, double by) {
+  for (Vec3d& x : p.position) x.z -= by;
+}
+
+}  // namespace
+
+TEST_CASE("A fragment is discharged when all of it is below the plane, and counted once", "[product]") {
+  ParticleSnapshot p;
+  add_fragment(p, block(1, 1, 2, 0.01), 0.01, rock_density, {0, 0, 0.02});  // spheres at 0.02 and 0.04
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {1, 0, 0.5});
+  Product product(rock_density);
+  const auto update = [&] { product.update(fragment_table(p), p); };
+
+  update();
+  CHECK(product.row(0).particles == 0);
+  move_down(p, 0.0499);  // the top of the upper sphere is 0.1 mm above the plane
+  update();
+  CHECK(product.row(0).particles == 0);
+  move_down(p, 0.0002);
+  update();
+  CHECK(product.row(0).particles == 2);
+  CHECK(product.row(0).fragments == 1);
+  CHECK(product.row(0).mass == Approx(2 * p.mass[0]).epsilon(1e-14));
+  CHECK(product.row(0).singles_share == 0);
+  CHECK(product.inside(p) == 1);
+
+  move_down(p, -0.1);  // thrown back up, broken, and down again
+  p.fragment = {0, 1, 2};
+  update();
+  move_down(p, 0.1);
+  update();
+  CHECK(product.row(0).particles == 2);
+  CHECK(product.row(0).fragments == 1);
+  CHECK(product.row(0).singles_share == 0);
+
+  move_down(p, 1);
+  update();
+  CHECK(product.row(0).particles == 3);
+  CHECK(product.row(0).singles_share == Approx(1.0 / 3).epsilon(1e-14));
+  CHECK(product.inside(p) == 0);
+}
+
+TEST_CASE("Only whole fragments below the removal depth may be removed", "[product]") {
+  ParticleSnapshot p;
+  add_fragment(p, block(1, 1, 3, 0.01), 0.01, rock_density, {0, 0, -1.02});  // from -1.03 to -0.97
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {1, 0, -2});
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {1, 0, 0.1});
+  const FragmentTable table = fragment_table(p);
+  Product product(rock_density);
+  CHECK(product.removable(table, p, 0).empty());  // not counted yet
+  product.update(table, p);
+  CHECK(product.removable(table, p, 1.0) == std::vector<ParticleId>{3});
+  CHECK(product.removable(table, p, 0.9) == std::vector<ParticleId>{0, 1, 2, 3});
+  CHECK(product.row(0).particles + product.inside(p) == 5);
+}
+
+TEST_CASE("Fragments of known size and mass come back as their sieve curve", "[product]") {
+  // 1, 2, 5, 20 and 140 spheres of 20 mm; their meshes follow from how they are stacked.
+  const double R = 0.01, d = 0.02;
+  struct Kind {
+    std::vector<Vec3d> centres;
+    double size;
+  };
+  const std::vector<Kind> kinds{{block(1, 1, 1, R), d},
+                                {block(2, 1, 1, R), d},
+                                {block(5, 1, 1, R), d},
+                                {block(2, 2, 5, R), 2 * d},
+                                {block(4, 5, 7, R), 5 * d}};
+  ParticleSnapshot p;
+  double x = 0, total = 0;
+  std::vector<double> finer(sieve_series().size(), 0.0);
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    for (int copy = 0; copy < 3; ++copy) {
+      add_fragment(p, kinds[k].centres, R, rock_density, {x += 1, 0, -1});
+      const double mass = static_cast<double>(kinds[k].centres.size()) * p.mass[0];
+      total += mass;
+      for (std::size_t s = 0; s < finer.size(); ++s) {
+        if (kinds[k].size <= sieve_series()[s]) finer[s] += mass;
+      }
+    }
+  }
+  Product product(rock_density);
+  product.update(fragment_table(p), p);
+  const ProductRow row = product.row(2.5);
+  CHECK(row.time == 2.5);
+  CHECK(row.particles == 3 * (1 + 2 + 5 + 20 + 140));
+  CHECK(row.fragments == 15);
+  CHECK(std::abs(row.mass / total - 1) < 1e-12);
+  CHECK(row.singles_share == Approx(1.0 / 168).epsilon(1e-12));
+  for (std::size_t s = 0; s < finer.size(); ++s) CHECK(row.passing[s] == Approx(finer[s] / total).margin(1e-12));
+}
+
+TEST_CASE("Passing sizes are read between sieves on the logarithm", "[product]") {
+  const std::vector<double>& sieves = sieve_series();
+  CHECK(sieves[14] == Approx(0.125));
+  CHECK(sieves.back() == Approx(1.0));
+  for (std::size_t k = 1; k < sieves.size(); ++k) CHECK(sieves[k] / sieves[k - 1] == Approx(std::sqrt(2.0)));
+
+  // A Gates-Gaudin-Schuhmann product (x/x_max)^1 is not linear in log x; one that is linear is
+  // uniform in log x: P = ln(x/x0)/ln(x1/x0), whose 80 % size is x0 (x1/x0)^0.8 exactly.
+  std::vector<double> passing(sieves.size());
+  const double x0 = sieves[2], x1 = sieves[18];
+  for (std::size_t k = 0; k < sieves.size(); ++k) {
+    passing[k] = std::clamp(std::log(sieves[k] / x0) / std::log(x1 / x0), 0.0, 1.0);
+  }
+  REQUIRE(passing_size(passing, 0.8));
+  CHECK(*passing_size(passing, 0.8) == Approx(x0 * std::pow(x1 / x0, 0.8)).epsilon(1e-12));
+  CHECK(*passing_size(passing, 0.5) == Approx(std::sqrt(x0 * x1)).epsilon(1e-12));
+  CHECK(!passing_size(std::vector<double>(sieves.size(), 0.0), 0.8));  // nothing, or all oversize
+  CHECK(!passing_size(std::vector<double>(sieves.size(), 1.0), 0.8));  // all finer than the finest sieve
+}
+
+TEST_CASE("A product account goes on from its state", "[product]") {
+  ParticleSnapshot p;
+  for (int k = 0; k < 10; ++k)
+    add_fragment(p, block(1 + k, 1, 1, 0.01), 0.01, rock_density, {0.0, 1.0 * k, 0.1 * k + 0.05});
+  Product whole(rock_density), first(rock_density);
+  move_down(p, 0.5);
+  whole.update(fragment_table(p), p);
+  first.update(fragment_table(p), p);
+  Product second(rock_density, first.state());
+  move_down(p, 1.0);
+  whole.update(fragment_table(p), p);
+  second.update(fragment_table(p), p);
+  CHECK(second.row(1).mass == whole.row(1).mass);
+  CHECK(second.row(1).passing == whole.row(1).passing);
+  CHECK(second.row(1).particles == 55);
+  CHECK(!Product(rock_density).row(0).p80);
+}
