@@ -25,22 +25,24 @@ parallel_jobs() {
 
 is_configured() { [ -f "$build/build.ninja" ] || [ -f "$build/Makefile" ]; }
 
-# True when AUTO found no nvcc at the time, but there is one now.
+# True when AUTO found no CUDA compiler, but one appeared since it was last looked for.
 cuda_appeared() {
-  grep -q '^GYRO_CUDA:[A-Z]*=AUTO$' "$build/CMakeCache.txt" &&
-    ! grep -q '^CMAKE_CUDA_COMPILER:[A-Z]*=/' "$build/CMakeCache.txt" &&
-    { command -v nvcc || [ -x /usr/local/cuda/bin/nvcc ]; } >/dev/null
+  [ -n "$nvcc" ] && [ "$nvcc" != "$(cat "$build/.nvcc" 2>/dev/null)" ] &&
+    grep -q '^GYRO_CUDA:[A-Z]*=AUTO$' "$build/CMakeCache.txt" &&
+    ! compgen -G "$build/CMakeFiles/*/CMakeCUDACompiler.cmake" >/dev/null
 }
 
 mkdir -p "$build"
 exec 9>"$build/.lock"
 flock 9  # two calls at once would build over each other
 
+nvcc=$(command -v nvcc || ls /usr/local/cuda/bin/nvcc 2>/dev/null || true)
 if ! is_configured; then
   (cd "$root" && cmake --preset release) >&2
 elif cuda_appeared; then
   cmake -UCMAKE_CUDA_COMPILER "$build" >&2
 fi
+echo "$nvcc" >"$build/.nvcc"
 
 targets=()
 if [ $# -gt 0 ]; then targets=(--target "$@"); fi

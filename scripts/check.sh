@@ -36,7 +36,8 @@ format_sources() { clang-format --dry-run -Werror "${code[@]}"; }
 # A second compiler's eyes; it knows neither all of GCC's options nor nvcc's.
 tidy_sources() {
   sources '*.cpp' | xargs -r -n 1 -P "$(nproc)" clang-tidy --quiet -p build/release \
-    --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument
+    --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument \
+    2> >(grep -v ' warnings\? generated' >&2)
 }
 
 if [ $fix = yes ]; then clang-format -i "${code[@]}"; fi
