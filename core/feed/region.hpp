@@ -8,12 +8,6 @@
 
 namespace gyro {
 
-/// A wall of the scene and where it is now.
-struct PlacedWall {
-  const Wall* wall;
-  WallPose pose;
-};
-
 /// Box with edges along x, y, z [m].
 struct BoxRegion {
   Vec3d low, high;
@@ -25,7 +19,8 @@ struct CylinderRegion {
   double radius, height;
 };
 
-/// Ring between two walls about the z axis, or the inside of one.
+/// Ring between two walls about the z axis, or the inside of one. Above the outer wall it goes
+/// on as the cylinder of that wall's opening.
 struct ChamberRegion {
   Index outer;         ///< wall, the concave
   Index inner = none;  ///< wall, the mantle
@@ -41,17 +36,19 @@ class RadiusByHeight {
  public:
   enum class Side { outer, inner };  ///< rock is inside (concave) or around (mantle)
 
+  /// @throws BadInput for a wall that is no liner about the z axis (a plane)
   RadiusByHeight(const Wall& wall, Side side);
 
-  /// Outer: smallest radius of the wall in this height, infinite where there is none.
-  /// Inner: largest radius, 0 where there is none [m].
+  /// Outer: smallest radius of the wall at this height, at its ends beyond them.
+  /// Inner: largest radius; 0 above the wall, its lowest radius below it [m].
   double at(double z) const;
   double low() const { return low_; }
   double high() const { return high_; }
 
  private:
-  double low_, high_, step_;
-  std::vector<double> radius_;  ///< by slice, on the safe side
+  Side side_;
+  double low_, high_;
+  std::vector<double> radius_;  ///< of equal slices of height, on the safe side
 };
 
 /// Cylinder of the given height that stands on the top edge of a liner, as wide as its opening.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/feed/bed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace gyro {
+namespace {
+
+Vec3<Index> cell_of(const Vec3d& p, double cell) {
+  return {static_cast<Index>(std::floor(p.x / cell)), static_cast<Index>(std::floor(p.y / cell)),
+          static_cast<Index>(std::floor(p.z / cell))};
+}
+
+int level_of(double radius) {
+  return static_cast<int>(std::ceil(std::log2(radius)));
+}
+
+}  // namespace
+
+std::size_t Bed::bucket(int level, const Vec3<Index>& cell) const {
+  // Large odd multipliers (Teschner et al. 2003, Optimized spatial hashing). Cells that share a
+  // bucket cost a distance check and change no result.
+  const auto h = static_cast<std::uint32_t>(cell.x) * 73856093u ^ static_cast<std::uint32_t>(cell.y) * 19349663u ^
+                 static_cast<std::uint32_t>(cell.z) * 83492791u ^ static_cast<std::uint32_t>(level) * 2654435761u;
+  return (h ^ (h >> 15)) & (first_.size() - 1);
+}
+
+void Bed::hang(Index sphere) {
+  Sphere& s = spheres_[static_cast<std::size_t>(sphere)];
+  const int level = level_of(s.radius);
+  const std::size_t b = bucket(level, cell_of(s.centre, levels_.at(level).cell));
+  s.next = first_[b];
+  first_[b] = sphere;
+}
+
+void Bed::add(const Vec3d& centre, double radius) {
+  const int level = level_of(radius);
+  Level& l = levels_.try_emplace(level, Level{2 * std::exp2(level), 0.0}).first->second;
+  l.largest = std::max(l.largest, radius);
+  spheres_.push_back({centre, radius, none});
+  if (2 * spheres_.size() <= first_.size()) return hang(static_cast<Index>(spheres_.size()) - 1);
+  first_.assign(2 * first_.size(), none);
+  for (std::size_t k = 0; k < spheres_.size(); ++k) hang(static_cast<Index>(k));
+}
+
+double Bed::raised(const Vec3d& centre, double radius, double gap) const {
+  for (const auto& [number, level] : levels_) {
+    const double reach = radius + level.largest + gap;
+    const Vec3d corner{reach, reach, reach};
+    const Vec3<Index> low = cell_of(centre - corner, level.cell), high = cell_of(centre + corner, level.cell);
+    for (Index z = low.z; z <= high.z; ++z) {
+      for (Index y = low.y; y <= high.y; ++y) {
+        for (Index x = low.x; x <= high.x; ++x) {
+          for (Index k = first_[bucket(number, {x, y, z})]; k != none;) {
+            const Sphere& s = spheres_[static_cast<std::size_t>(k)];
+            const double apart = radius + s.radius + gap;
+            const Vec3d d = centre - s.centre;
+            if (norm2(d) < apart * apart) {
+              const double above = std::sqrt(apart * apart - d.x * d.x - d.y * d.y);
+              return std::max(s.centre.z + above, std::nextafter(centre.z, centre.z + 1));
+            }
+            k = s.next;
+          }
+        }
+      }
+    }
+  }
+  return centre.z;
+}
+
+}  // namespace gyro

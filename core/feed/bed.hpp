@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/hd.hpp"
+#include "core/math/vec3.hpp"
+
+#include <map>
+#include <vector>
+
+namespace gyro {
+
+/// Spheres that are already there, found by place. Sizes may differ widely: spheres are kept in
+/// a hashed grid for each power of two of their radius.
+class Bed {
+ public:
+  void add(const Vec3d& centre, double radius);
+  std::size_t size() const { return spheres_.size(); }
+
+  /// The height to which a sphere at this place must be raised to be clear of one that it
+  /// overlaps; its own height when it overlaps none. Repeat until nothing changes: the
+  /// result is the lowest free height, whatever the order of spheres.
+  /// @param gap  least distance between the surfaces [m]
+  double raised(const Vec3d& centre, double radius, double gap) const;
+
+ private:
+  struct Sphere {
+    Vec3d centre;
+    double radius;
+    Index next;  ///< in the same bucket
+  };
+  struct Level {
+    double cell;     ///< edge, twice the largest radius of the level [m]
+    double largest;  ///< radius so far [m]
+  };
+
+  std::size_t bucket(int level, const Vec3<Index>& cell) const;
+  void hang(Index sphere);
+
+  std::vector<Sphere> spheres_;
+  std::vector<Index> first_ = std::vector<Index>(1024, none);  ///< by bucket; a power of two of them
+  std::map<int, Level> levels_;
+};
+
+}  // namespace gyro

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/feed/placement.hpp"
+
+#include "core/math/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gyro {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// The random numbers of one rock, in order of use.
+struct Draws {
+  std::uint64_t seed, rock;
+  std::uint32_t place, turn;
+  double next_place() { return uniform(seed, Stream::place, rock, place++); }
+  double next_turn() { return uniform(seed, Stream::turn, rock, turn++); }
+  Quatd any_turn() {
+    const double u = next_turn(), v = next_turn(), w = next_turn();
+    return uniform_turn(u, v, w);
+  }
+  /// A turn about a random axis by up to this angle [rad].
+  Quatd small_turn(double angle) {
+    const double z = 2 * next_turn() - 1, t = 2 * std::numbers::pi * next_turn(), s = std::sqrt(1 - z * z);
+    return rotation_about({s * std::cos(t), s * std::sin(t), z}, angle * next_turn());
+  }
+};
+
+}  // namespace
+
+Quatd uniform_turn(double u, double v, double w) {
+  const double a = std::sqrt(1 - u), b = std::sqrt(u), s = 2 * std::numbers::pi * v, t = 2 * std::numbers::pi * w;
+  return {b * std::cos(t), a * std::sin(s), a * std::cos(s), b * std::sin(t)};
+}
+
+WallSet::WallSet(std::span<const Wall> walls, double largest_radius, double gap) : poses_(walls.size()) {
+  for (const Wall& wall : walls) walls_.emplace_back(wall, 2 * (largest_radius + gap));
+}
+
+void WallSet::move(std::span<const WallPose> poses) {
+  poses_.assign(poses.begin(), poses.end());
+}
+
+double WallSet::distance(const Vec3d& point) const {
+  double nearest = never;
+  for (std::size_t k = 0; k < walls_.size(); ++k) nearest = std::min(nearest, walls_[k].at(poses_[k], point));
+  return nearest;
+}
+
+double Placement::raised(const Vec3d& centre, double radius) const {
+  Vec3d p = centre;
+  while (p.z < region_.high()) {
+    const double here = p.z;
+    p.z = region_.raised(walls_, p, radius);
+    if (p.z > here) continue;
+    p.z = bed_.raised(p, radius, gap_);
+    if (p.z > here) continue;
+    // A wall that is too near by some length frees the sphere no sooner than after that length.
+    const double missing = radius + gap_ - walls_.distance(p);
+    if (missing <= 0) return here;
+    p.z += std::max(missing, gap_);
+  }
+  return never;
+}
+
+double Placement::lowest_height(const RockTemplate& rock, double x, double y, const Quatd& turn, double limit) const {
+  const std::size_t n = rock.centres.size();
+  std::vector<Vec3d> arm(n);
+  double foot = 0, top = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    arm[k] = rotate(turn, rock.centres[k]);
+    foot = std::min(foot, arm[k].z - rock.radii[k]);
+    top = std::max(top, arm[k].z + rock.radii[k]);
+  }
+  double z = region_.low() - foot;
+  const double highest = std::min(limit, region_.high() - top);
+  // Round and round over the spheres, until all of them in turn are free at one height.
+  for (std::size_t k = 0, free = 0; free < n; k = k + 1 < n ? k + 1 : 0) {
+    if (!(z <= highest)) return never;
+    const double height = z + arm[k].z;
+    const double up = raised({x + arm[k].x, y + arm[k].y, height}, rock.radii[k]) - height;
+    free = up > 0 ? 1 : free + 1;
+    z += up;
+  }
+  return z <= highest ? z : never;
+}
+
+std::optional<Place> Placement::lowest(const RockTemplate& rock, const Search& search) const {
+  const auto first = search.attempt * static_cast<std::uint32_t>(3 * search.places + 4 * search.improvements);
+  Draws draws{search.seed, search.rock, first, first};
+  Place best{{0, 0, never}, {1, 0, 0, 0}};
+  const auto offer = [&](double x, double y, const Quatd& turn) {
+    const double z = lowest_height(rock, x, y, turn, best.position.z);
+    const bool lower = z < best.position.z;
+    if (lower) best = {{x, y, z}, turn};
+    return lower;
+  };
+  for (int k = 0; k < search.places; ++k) {
+    const double share = draws.next_place(), u = draws.next_place(), v = draws.next_place();
+    const Vec3d p = region_.draw(region_.low() + share * (search.expected_top - region_.low()), u, v);
+    offer(p.x, p.y, draws.any_turn());
+  }
+  if (best.position.z == never) return std::nullopt;
+  // Moves shrink while they fail, as a rock settles.
+  double step = 0.5 * rock.bounding_radius, angle = 1;
+  for (int k = 0; k < search.improvements; ++k) {
+    const double t = 2 * std::numbers::pi * draws.next_place(), r = step * draws.next_place();
+    const Quatd turn = normalised(draws.small_turn(angle) * best.turn);
+    if (!offer(best.position.x + r * std::cos(t), best.position.y + r * std::sin(t), turn)) {
+      step *= 0.93;
+      angle *= 0.93;
+    }
+  }
+  return best;
+}
+
+}  // namespace gyro

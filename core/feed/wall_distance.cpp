@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/feed/wall_distance.hpp"
+
+#include "core/walls/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gyro {
+namespace {
+
+Vec3d lower(const Vec3d& a, const Vec3d& b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3d upper(const Vec3d& a, const Vec3d& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+}  // namespace
+
+WallDistance::WallDistance(const Wall& wall, double reach) : reach_(reach) {
+  if (const auto* plane = std::get_if<PlaneShape>(&wall.shape)) plane_ = *plane;
+  if (const auto* profile = std::get_if<ProfileShape>(&wall.shape)) make_profile(*profile);
+  if (const auto* mesh = std::get_if<MeshShape>(&wall.shape)) make_mesh(*mesh);
+}
+
+void WallDistance::make_profile(const ProfileShape& shape) {
+  for (std::size_t k = 1; k < shape.points.size(); ++k) {
+    const ProfilePoint a = shape.points[k - 1], b = shape.points[k];
+    const double dr = b.r - a.r, dz = b.z - a.z;
+    segments_.push_back({a.r, a.z, dr, dz, dr * dr + dz * dz, std::min(a.z, b.z), std::max(a.z, b.z)});
+  }
+}
+
+void WallDistance::make_mesh(const MeshShape& shape) {
+  for (const auto& t : shape.triangles) {
+    const auto at = [&](Index v) { return shape.vertices[static_cast<std::size_t>(v)]; };
+    const Vec3d a = at(t.x), b = at(t.y), c = at(t.z), n = cross(b - a, c - a);
+    if (norm2(n) > 0) triangles_.push_back({a, b, c, (1 / norm(n)) * n});
+  }
+  if (!triangles_.empty()) fill_cells();
+}
+
+/// Grid over the mesh whose cells list the triangles that may lie within reach.
+void WallDistance::fill_cells() {
+  Vec3d low = triangles_[0].a, high = low;
+  for (const WallTriangle& t : triangles_) {
+    low = lower(low, lower(t.a, lower(t.b, t.c)));
+    high = upper(high, upper(t.a, upper(t.b, t.c)));
+  }
+  const Vec3d margin{reach_, reach_, reach_}, size = high - low + 2.0 * margin;
+  cells_.low = low - margin;
+  cells_.size = std::max(reach_, std::max(size.x, std::max(size.y, size.z)) / 64);
+  const auto cells_along = [&](double length) { return static_cast<Index>(length / cells_.size) + 1; };
+  cells_.count = {cells_along(size.x), cells_along(size.y), cells_along(size.z)};
+  const auto n = static_cast<std::size_t>(cells_.count.x) * static_cast<std::size_t>(cells_.count.y * cells_.count.z);
+
+  const auto for_cells_of = [&](const WallTriangle& t, const auto& visit) {
+    const Vec3d a = (1 / cells_.size) * (lower(t.a, lower(t.b, t.c)) - margin - cells_.low);
+    const Vec3d b = (1 / cells_.size) * (upper(t.a, upper(t.b, t.c)) + margin - cells_.low);
+    for (Index z = static_cast<Index>(std::max(a.z, 0.0)); z <= std::min(static_cast<Index>(b.z), cells_.count.z - 1);
+         ++z)
+      for (Index y = static_cast<Index>(std::max(a.y, 0.0)); y <= std::min(static_cast<Index>(b.y), cells_.count.y - 1);
+           ++y)
+        for (Index x = static_cast<Index>(std::max(a.x, 0.0));
+             x <= std::min(static_cast<Index>(b.x), cells_.count.x - 1); ++x)
+          visit(static_cast<std::size_t>((z * cells_.count.y + y) * cells_.count.x + x));
+  };
+  cells_.begin.assign(n + 1, 0);
+  for (const WallTriangle& t : triangles_) for_cells_of(t, [&](std::size_t cell) { ++cells_.begin[cell + 1]; });
+  for (std::size_t cell = 0; cell < n; ++cell) cells_.begin[cell + 1] += cells_.begin[cell];
+  cells_.triangle.resize(static_cast<std::size_t>(cells_.begin[n]));
+  std::vector<Index> next(cells_.begin.begin(), cells_.begin.end() - 1);
+  for (std::size_t k = 0; k < triangles_.size(); ++k) {
+    for_cells_of(triangles_[k], [&](std::size_t cell) {
+      cells_.triangle[static_cast<std::size_t>(next[cell]++)] = static_cast<Index>(k);
+    });
+  }
+}
+
+double WallDistance::at(const WallPose& pose, const Vec3d& point) const {
+  const Vec3d body = to_body(pose, point);
+  if (!segments_.empty()) return to_profile(body);
+  if (!triangles_.empty()) return to_mesh(body);
+  return std::clamp(dot(body - plane_.point, plane_.normal), -reach_, reach_);
+}
+
+double WallDistance::to_profile(const Vec3d& body) const {
+  const double r = std::hypot(body.x, body.y), z = body.z;
+  double nearest2 = reach_ * reach_;
+  double crossing = std::numeric_limits<double>::infinity();  // horizontal way to the surface
+  bool behind = false;
+  for (const Segment& s : segments_) {
+    if (s.low <= z && z < s.high) {
+      // The curve nearest along the horizontal decides the side: left of the travel is rock.
+      const double way = s.r + (z - s.z) / s.dz * s.dr - r;
+      if (std::abs(way) < crossing) {
+        crossing = std::abs(way);
+        behind = s.dz > 0 ? way < 0 : way > 0;
+      }
+    }
+    if (s.high < z - reach_ || s.low > z + reach_) continue;
+    const double t = std::clamp(((r - s.r) * s.dr + (z - s.z) * s.dz) / s.length2, 0.0, 1.0);
+    const double or_ = r - s.r - t * s.dr, oz = z - s.z - t * s.dz;
+    nearest2 = std::min(nearest2, or_ * or_ + oz * oz);
+  }
+  const double nearest = std::sqrt(nearest2);
+  return behind ? -nearest : nearest;
+}
+
+double WallDistance::to_mesh(const Vec3d& body) const {
+  const Vec3d place = (1 / cells_.size) * (body - cells_.low);
+  if (!(place.x >= 0 && place.y >= 0 && place.z >= 0)) return reach_;
+  if (!(place.x < cells_.count.x && place.y < cells_.count.y && place.z < cells_.count.z)) return reach_;
+  const Vec3<Index> c{static_cast<Index>(place.x), static_cast<Index>(place.y), static_cast<Index>(place.z)};
+  const auto cell = static_cast<std::size_t>((c.z * cells_.count.y + c.y) * cells_.count.x + c.x);
+  double nearest = reach_;
+  for (Index k = cells_.begin[cell]; k < cells_.begin[cell + 1]; ++k) {
+    NearPoint p;
+    const WallTriangle& t = triangles_[static_cast<std::size_t>(cells_.triangle[static_cast<std::size_t>(k)])];
+    if (near_triangle(t, body, nearest, p)) nearest = p.height;
+  }
+  return nearest;
+}
+
+}  // namespace gyro

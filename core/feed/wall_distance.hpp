@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/scene.hpp"
+#include "core/laws/wall_contact.hpp"
+
+#include <vector>
+
+namespace gyro {
+
+/// Distance of points to one wall, for placing rocks. Made once; the pose comes with the question.
+///
+/// Planes and profiles know their sides: behind them the distance is negative. Beyond the
+/// height of a profile, and everywhere at a mesh, it is not.
+class WallDistance {
+ public:
+  /// @param reach  no sphere that will be asked for is larger [m]
+  WallDistance(const Wall& wall, double reach);
+
+  /// Distance of a world point to the wall, cut off at +-reach: as a function of the point it
+  /// changes no faster than the point moves, up to the jump at a profile's ends.
+  double at(const WallPose& pose, const Vec3d& point) const;
+
+ private:
+  struct Segment {
+    double r, z, dr, dz, length2;
+    double low, high;  ///< heights
+  };
+  struct Cells {
+    Vec3d low;
+    double size;
+    Vec3<Index> count;
+    std::vector<Index> begin, triangle;  ///< those that may lie within reach of a cell
+  };
+
+  void make_profile(const ProfileShape& shape);
+  void make_mesh(const MeshShape& shape);
+  void fill_cells();
+  double to_profile(const Vec3d& body) const;
+  double to_mesh(const Vec3d& body) const;
+
+  double reach_;
+  PlaneShape plane_{};
+  std::vector<Segment> segments_;
+  std::vector<WallTriangle> triangles_;
+  Cells cells_{};
+};
+
+}  // namespace gyro
