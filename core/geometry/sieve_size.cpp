@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/sieve_size.hpp"
+
+#include "core/geometry/hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gyro {
+namespace {
+
+constexpr double golden_turn = std::numbers::pi * (3 - 2.23606797749979);  // 3 - sqrt 5
+
+/// Side of the square around plane points (x, y), turned by the angle.
+double square_side(const std::vector<Vec3d>& shadow, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  double low_u = std::numeric_limits<double>::max(), high_u = -low_u, low_v = low_u, high_v = -low_u;
+  for (const Vec3d& p : shadow) {
+    const double u = c * p.x + s * p.y, v = c * p.y - s * p.x;
+    low_u = std::min(low_u, u), high_u = std::max(high_u, u);
+    low_v = std::min(low_v, v), high_v = std::max(high_v, v);
+  }
+  return std::max(high_u - low_u, high_v - low_v);
+}
+
+struct Frame {
+  Vec3d u, v;
+};
+
+/// Two unit vectors across a unit direction.
+Frame across(const Vec3d& d) {
+  const Vec3d helper = std::abs(d.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  const Vec3d u = cross(d, helper), unit = (1 / norm(u)) * u;
+  return {unit, cross(d, unit)};
+}
+
+struct Passage {
+  Vec3d direction;
+  double side;
+};
+
+/// Walks downhill in direction with steps that are halved when no neighbour is better.
+Passage refined(const std::vector<Vec3d>& points, Passage best) {
+  for (double step = 0.08; step > 1e-4; step /= 2) {
+    for (bool better = true; better;) {
+      better = false;
+      const Frame frame = across(best.direction);
+      for (const Vec3d& move : {frame.u, -frame.u, frame.v, -frame.v}) {
+        const Vec3d d = best.direction + step * move, unit = (1 / norm(d)) * d;
+        const double side = shadow_square(points, unit);
+        if (side < best.side * (1 - 1e-9)) best = {unit, side}, better = true;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+double shadow_square(const std::vector<Vec3d>& points, const Vec3d& direction) {
+  const Frame frame = across(direction);
+  std::vector<Vec3d> shadow;
+  shadow.reserve(points.size());
+  for (const Vec3d& p : points) shadow.push_back({dot(p, frame.u), dot(p, frame.v), 0});
+  constexpr int samples = 36;
+  constexpr double spacing = std::numbers::pi / 2 / samples;  // a square looks the same after a quarter turn
+  double best_angle = 0, best = square_side(shadow, 0);
+  for (int k = 1; k < samples; ++k) {
+    const double side = square_side(shadow, k * spacing);
+    if (side < best) best = side, best_angle = k * spacing;
+  }
+  for (double step = spacing / 2; step > 1e-4; step /= 2) {
+    for (const double angle : {best_angle - step, best_angle + step}) {
+      const double side = square_side(shadow, angle);
+      if (side < best) best = side, best_angle = angle;
+    }
+  }
+  return best;
+}
+
+double sieve_size(const std::vector<Vec3d>& all_points) {
+  const std::vector<Vec3d> points = convex_hull(all_points).vertices;  // a scan has thousands inside its hull
+  std::vector<Passage> passages;
+  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+    passages.push_back({axis, shadow_square(points, axis)});
+  }
+  constexpr int directions = 150;
+  for (int k = 0; k < directions; ++k) {  // even over the upper half of the sphere
+    const double z = (k + 0.5) / directions, r = std::sqrt(1 - z * z);
+    const Vec3d d{r * std::cos(k * golden_turn), r * std::sin(k * golden_turn), z};
+    passages.push_back({d, shadow_square(points, d)});
+  }
+  constexpr int refinements = 4;
+  std::stable_sort(passages.begin(), passages.end(),
+                   [](const Passage& a, const Passage& b) { return a.side < b.side; });
+  double best = passages.front().side;
+  for (int k = 0; k < refinements; ++k) best = std::min(best, refined(points, passages[k]).side);
+  return best;
+}
+
+}  // namespace gyro

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rocks/linear_rock.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace gyro {
+namespace {
+
+using Row12 = Eigen::Matrix<double, 12, 1>;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+
+/// A spring and its damper along one relative motion of two particles.
+struct SpringDamper {
+  double stiffness, damping;
+};
+
+/// Spring-dampers of a bond: k_n A and k_s A on the stretch, k_s J and k_n I on the turn, with
+/// A = pi b^2, I = pi b^4/4, J = pi b^4/2 (Potyondy & Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329),
+/// each damped by c = 2 xi sqrt(k m_eff), m_eff = the pair's reduced mass or moment of inertia.
+struct BondSprings {
+  SpringDamper normal, shear, twist, bending;
+};
+
+BondSprings bond_springs(const BondParameters& p, double b, double reduced_mass, double reduced_inertia) {
+  const double area = std::numbers::pi * b * b, quartic = area * b * b;
+  const auto damped = [&](double k, double m) { return SpringDamper{k, 2 * p.damping * std::sqrt(k * m)}; };
+  return {damped(p.normal_stiffness * area, reduced_mass), damped(p.shear_stiffness * area, reduced_mass),
+          damped(p.shear_stiffness * quartic / 2, reduced_inertia),
+          damped(p.normal_stiffness * quartic / 4, reduced_inertia)};
+}
+
+Row12 row(const Vec3d& xi, const Vec3d& turn_i, const Vec3d& xj, const Vec3d& turn_j) {
+  Row12 r;
+  r << xi.x, xi.y, xi.z, turn_i.x, turn_i.y, turn_i.z, xj.x, xj.y, xj.z, turn_j.x, turn_j.y, turn_j.z;
+  return r;
+}
+
+struct Element {
+  Matrix12 stiffness = Matrix12::Zero(), damping = Matrix12::Zero();
+  void add(const Row12& motion, const SpringDamper& s) {
+    stiffness += s.stiffness * motion * motion.transpose();
+    damping += s.damping * motion * motion.transpose();
+  }
+};
+
+/// Stretch u = x_j - x_i - (turn_i x n) L_i - (turn_j x n) L_j, with L_i + L_j = L0 so that angular momentum
+/// is kept; turn theta = turn_j - turn_i.
+Element bond_element(const RockTemplate& rock, const TemplateBond& bond, const BondSprings& springs) {
+  const Vec3d zero{0, 0, 0}, d = rock.centres[bond.j] - rock.centres[bond.i];
+  const Vec3d n = (1 / norm(d)) * d;
+  const Vec3d helper = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  const Vec3d across = cross(n, helper), t1 = (1 / norm(across)) * across, t2 = cross(n, t1);
+  const double arm_i = (bond.length + rock.radii[bond.i] - rock.radii[bond.j]) / 2, arm_j = bond.length - arm_i;
+  Element element;
+  element.add(row(-n, zero, n, zero), springs.normal);
+  element.add(row(zero, -n, zero, n), springs.twist);
+  for (const Vec3d& t : {t1, t2}) {
+    const Vec3d lever = cross(n, t);  // t . (turn x n) = turn . (n x t)
+    element.add(row(-t, -arm_i * lever, t, -arm_j * lever), springs.shear);
+    element.add(row(zero, -t, zero, t), springs.bending);
+  }
+  return element;
+}
+
+/// Diagonal part that the bed adds to one particle, [0] for translations, [1] for turns.
+std::array<SpringDamper, 2> bed_springs(const BedContacts& bed, double radius, double mass) {
+  constexpr double counterphase = 2;
+  const double kn = bed.normal_stiffness * radius, kt = bed.tangential_stiffness * radius;
+  const double cn = 2 * bed.normal_damping * std::sqrt(kn * mass / 2);
+  const double ct = 2 * bed.tangential_damping * std::sqrt(kt * mass / 2);
+  const double n = counterphase * bed.number;
+  const double r2 = radius * radius;
+  return {SpringDamper{n * (kn + 2 * kt) / 3, n * (cn + 2 * ct) / 3},
+          SpringDamper{n * 2 * kt * r2 / 3, n * 2 * ct * r2 / 3}};
+}
+
+}  // namespace
+
+LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed) {
+  const Eigen::Index particles = static_cast<Eigen::Index>(rock.centres.size());
+  std::vector<double> mass(particles), inertia(particles);
+  std::vector<Eigen::Triplet<double>> stiffness, damping;
+  LinearRock linear;
+  linear.inverse_root_mass.resize(6 * particles);
+  for (Eigen::Index p = 0; p < particles; ++p) {
+    const double r = rock.radii[p];
+    mass[p] = rock.particle_density * 4 * std::numbers::pi / 3 * r * r * r;
+    inertia[p] = 0.4 * mass[p] * r * r;
+    const auto springs = bed_springs(bed, r, mass[p]);
+    for (int k = 0; k < 6; ++k) {
+      const double m = k < 3 ? mass[p] : inertia[p];
+      linear.inverse_root_mass[6 * p + k] = 1 / std::sqrt(m);
+      stiffness.emplace_back(6 * p + k, 6 * p + k, springs[k / 3].stiffness / m);
+      damping.emplace_back(6 * p + k, 6 * p + k, springs[k / 3].damping / m);
+    }
+  }
+  for (const TemplateBond& bond : rock.bonds) {
+    const Index i = bond.i, j = bond.j;
+    const auto reduced = [&](const std::vector<double>& m) { return m[i] * m[j] / (m[i] + m[j]); };
+    const Element e = bond_element(rock, bond, bond_springs(bonds, bond.radius, reduced(mass), reduced(inertia)));
+    const auto place = [&](int k) { return k < 6 ? 6 * i + k : 6 * j + k - 6; };
+    for (int a = 0; a < 12; ++a) {
+      for (int b = 0; b < 12; ++b) {
+        const double scale = linear.inverse_root_mass[place(a)] * linear.inverse_root_mass[place(b)];
+        stiffness.emplace_back(place(a), place(b), scale * e.stiffness(a, b));
+        damping.emplace_back(place(a), place(b), scale * e.damping(a, b));
+      }
+    }
+  }
+  for (auto* m : {&linear.stiffness, &linear.damping}) m->resize(6 * particles, 6 * particles);
+  linear.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+  linear.damping.setFromTriplets(damping.begin(), damping.end());
+  return linear;
+}
+
+}  // namespace gyro

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/rocks/stability.hpp"
+
+#include <Eigen/SparseCore>
+
+namespace gyro {
+
+/// A rock linearised at rest, scaled to unit masses: M^-1/2 K M^-1/2 and M^-1/2 C M^-1/2 [1/s2, 1/s].
+/// Six rows a particle: x, y, z, then the turns about them. Only for this folder and its tests:
+/// the header needs Eigen.
+struct LinearRock {
+  Eigen::SparseMatrix<double> stiffness, damping;
+  Eigen::VectorXd inverse_root_mass;  ///< 1/sqrt(m) or 1/sqrt(0.4 m R^2)
+};
+
+LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
+
+}  // namespace gyro

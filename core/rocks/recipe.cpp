@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rocks/recipe.hpp"
+
+#include "core/base/errors.hpp"
+#include "core/geometry/stl_file.hpp"
+#include "core/rocks/fill.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace gyro {
+namespace {
+
+/// To be raised with every change that makes other rocks from the same recipe.
+constexpr int generator_version = 1;
+constexpr int most_samples = 10000;
+
+class Text {
+ public:
+  void word(const std::string& key, const std::string& value) { text_ += key + " " + value + "\n"; }
+  void number(const std::string& key, double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%a", value);
+    word(key, digits);
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+void add(Text& text, const PassingTable& law) {
+  for (const auto& [size, fraction] : law.points) text.number("passing size", size), text.number("fraction", fraction);
+}
+
+void add(Text& text, const RosinRammler& law) {
+  text.number("rosin_rammler x63", law.x63), text.number("exponent", law.exponent);
+  text.number("smallest", law.smallest), text.number("largest", law.largest);
+}
+
+void add(Text& text, const GatesGaudinSchuhmann& law) {
+  text.number("gates_gaudin_schuhmann largest", law.largest);
+  text.number("exponent", law.exponent), text.number("smallest", law.smallest);
+}
+
+void add(Text& text, const ProceduralShapes& shapes) {
+  text.word("procedural", std::to_string(shapes.count));
+}
+
+void add(Text& text, const ShapeFiles& shapes) {
+  for (const std::string& path : shapes.paths) {  // the path itself too: it is in the rocks' names
+    text.word("file " + path, fnv1a_128(read_bytes(path)));
+  }
+}
+
+void add(Text& text, const RelativeBondRadius& radius) {
+  text.number("relative bond radius", radius.factor);
+}
+void add(Text& text, const AbsoluteBondRadius& radius) {
+  text.number("absolute bond radius", radius.radius);
+}
+
+void check_not_negative(const std::string& name, double value) {
+  if (!(std::isfinite(value) && value >= 0)) throw BadInput(name + " must be a number of at least 0");
+}
+
+}  // namespace
+
+void check_recipe(const LibraryRecipe& recipe) {
+  if (const auto* procedural = std::get_if<ProceduralShapes>(&recipe.shapes)) {
+    if (procedural->count < 1 || procedural->count > most_samples) {
+      throw BadInput("rocks.shapes: the number of procedural shapes must be 1 to 10000");
+    }
+  } else if (std::get<ShapeFiles>(recipe.shapes).paths.empty()) {
+    throw BadInput("rocks.shapes: the list of files is empty; accepted are STL and OBJ files");
+  }
+  if (recipe.samples < 1 || recipe.samples > most_samples) throw BadInput("rocks.sizes.samples must be 1 to 10000");
+  if (!(recipe.fill_ratio >= least_fill_ratio && recipe.fill_ratio <= greatest_fill_ratio)) {
+    throw BadInput("rocks.fill ratio is " + std::to_string(recipe.fill_ratio) + "; accepted is 2 to 50");
+  }
+  if (!(std::isfinite(recipe.rock_density) && recipe.rock_density > 0)) {
+    throw BadInput("the rock's density must be a positive number");
+  }
+  check_rule(recipe.bond_rule);
+  check_not_negative("bonds.normal_stiffness", recipe.bond_parameters.normal_stiffness);
+  check_not_negative("bonds.shear_stiffness", recipe.bond_parameters.shear_stiffness);
+  check_not_negative("bonds.damping", recipe.bond_parameters.damping);
+  for (const double value : {recipe.bed.number, recipe.bed.normal_stiffness, recipe.bed.tangential_stiffness,
+                             recipe.bed.normal_damping, recipe.bed.tangential_damping}) {
+    check_not_negative("every number of the bed's contacts", value);
+  }
+}
+
+std::string recipe_text(const LibraryRecipe& recipe) {
+  Text text;
+  text.word("gyrosim rock library", std::to_string(generator_version));
+  text.word("seed", std::to_string(recipe.seed));
+  std::visit([&](const auto& shapes) { add(text, shapes); }, recipe.shapes);
+  std::visit([&](const auto& law) { add(text, law); }, recipe.sizes);
+  text.word("samples", std::to_string(recipe.samples));
+  text.number("fill ratio", recipe.fill_ratio);
+  text.number("rock density", recipe.rock_density);
+  text.word("density", recipe.compensated ? "compensated" : "plain");
+  text.number("gap", recipe.bond_rule.gap);
+  std::visit([&](const auto& radius) { add(text, radius); }, recipe.bond_rule.radius);
+  text.number("normal stiffness", recipe.bond_parameters.normal_stiffness);
+  text.number("shear stiffness", recipe.bond_parameters.shear_stiffness);
+  text.number("damping", recipe.bond_parameters.damping);
+  text.number("bed number", recipe.bed.number);
+  text.number("bed normal stiffness", recipe.bed.normal_stiffness);
+  text.number("bed tangential stiffness", recipe.bed.tangential_stiffness);
+  text.number("bed normal damping", recipe.bed.normal_damping);
+  text.number("bed tangential damping", recipe.bed.tangential_damping);
+  return text.take();
+}
+
+std::string fnv1a_128(std::string_view bytes) {
+  __extension__ using Word = unsigned __int128;
+  // Offset and prime of draft-eastlake-fnv.
+  Word hash = (Word{0x6c62272e07bb0142u} << 64) | Word{0x62b821756295c58du};
+  const Word prime = (Word{1} << 88) | Word{0x13b};
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * prime;
+  char digits[33];
+  std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(hash >> 64),
+                static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+}  // namespace gyro
