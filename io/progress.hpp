@@ -14,9 +14,9 @@ struct ProgressState {
   double time = 0;                  ///< simulated [s]
   std::int64_t particle_steps = 0;  ///< done by this process
   std::int64_t particles = 0;
-  std::optional<std::int64_t> bonds_broken;  ///< none: the scene has no bonds
-  std::optional<double> eccentric_speed;     ///< [rad/s]; none: no drivetrain
-  std::optional<double> crushing_power;      ///< [W]
+  std::optional<std::int64_t> bonds_broken = {};  ///< none: the scene has no bonds
+  std::optional<double> eccentric_speed = {};     ///< [rad/s]; none: no drivetrain
+  std::optional<double> crushing_power = {};      ///< [W]
 };
 
 /// How progress is shown.

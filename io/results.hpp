@@ -95,6 +95,7 @@ class ResultsFile {
 
  private:
   void append(const std::string& group, std::span<const double> row);
+  void abandon();
 
   std::optional<hdf5::File> file_;
   std::map<std::string, ResultsTable> tables_;  ///< by group

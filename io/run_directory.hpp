@@ -9,8 +9,8 @@ namespace gyro {
 
 /// What the command line says about the output.
 struct RunDirectoryRequest {
-  std::optional<std::filesystem::path> out;  ///< --out
-  std::string case_name;                     ///< names runs/<case>-NNN when there is no --out
+  std::optional<std::filesystem::path> out = {};  ///< --out
+  std::string case_name = {};                     ///< names runs/<case>-NNN when there is no --out
   bool resume = false, overwrite = false;
 };
 

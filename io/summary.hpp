@@ -21,8 +21,8 @@ std::string to_string(RunStatus status);
 /// What a run came to. A quantity that the case does not define, or that is not finite, is null in JSON.
 struct Summary {
   RunStatus status = RunStatus::failed;
-  std::string reason;  ///< why it is not done; empty when it is
-  std::string title, version, git_hash, device, precision;
+  std::string reason = {};  ///< why it is not done; empty when it is
+  std::string title = {}, version = {}, git_hash = {}, device = {}, precision = {};
   int threads = 0;
   double simulated_seconds = 0, wall_seconds = 0;
   std::int64_t particle_steps = 0;  ///< live particles, summed over steps
@@ -31,13 +31,13 @@ struct Summary {
   double time_step_limit = 0;       ///< stability limit before the safety factor [s]
   std::int64_t particles = 0;       ///< live at the end
   std::int64_t bonds_initial = 0, bonds_broken = 0;
-  std::optional<double> feed_mass, discharged_mass;  ///< [kg]
-  std::optional<double> throughput_tph;              ///< discharged mass / simulated time [t/h]
-  std::optional<double> specific_energy_kwh_per_t;   ///< crushing energy / discharged mass
-  std::optional<double> p80;                         ///< sieve size that 80 % of the product passes [m]
-  std::optional<double> mean_crushing_power;         ///< [W]
-  std::optional<double> energy_residual_fraction;    ///< residual / work done by walls and gravity
-  std::optional<double> mass_residual_fraction;      ///< from particle counts
+  std::optional<double> feed_mass = {}, discharged_mass = {};  ///< [kg]
+  std::optional<double> throughput_tph = {};                   ///< discharged mass / simulated time [t/h]
+  std::optional<double> specific_energy_kwh_per_t = {};        ///< crushing energy / discharged mass
+  std::optional<double> p80 = {};                              ///< sieve size that 80 % of the product passes [m]
+  std::optional<double> mean_crushing_power = {};              ///< [W]
+  std::optional<double> energy_residual_fraction = {};         ///< residual / work done by walls and gravity
+  std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   bool stalled = false;
 };
 

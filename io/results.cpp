@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/results.hpp"
+
+#include "core/base/errors.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace gyro {
+namespace {
+
+constexpr std::chrono::seconds flush_interval{5};
+constexpr std::size_t rows_kept = 1024;       ///< waiting rows at most: one chunk of a scalar channel
+constexpr std::int64_t chunk_numbers = 8192;  ///< about as many numbers in a chunk of a wide channel
+
+/// Chunks of 1024 rows, fewer for wide channels so that a chunk stays a small write.
+hdf5::Layout layout_of(const Channel& channel) {
+  const std::int64_t rows = std::clamp<std::int64_t>(chunk_numbers / channel.columns, 1, 1024);
+  // Not compressed: partly filled chunks are written again and again (see hdf5::Layout).
+  return {.number = channel.number, .columns = channel.columns, .chunk_rows = rows};
+}
+
+void write_record(hdf5::File& file, const CaseRecord& record) {
+  file.create_group("/case");
+  file.set_attribute("/case", "title", record.title);
+  file.set_attribute("/case", "resolved_yaml", record.resolved_yaml);
+  file.set_attribute("/case", "version", record.version);
+  file.set_attribute("/case", "git_hash", record.git_hash);
+  file.set_attribute("/case", "device", record.device);
+  file.set_attribute("/case", "precision", record.precision);
+  file.set_attribute("/case", "seed", record.seed);
+}
+
+std::vector<Channel> breakage_channels() {
+  using hdf5::Number;
+  return {{"time", "s"},
+          {"mode", "1", 1, Number::uint8},
+          {"position", "m", 3},
+          {"rock", "1", 1, Number::int32},
+          {"i", "1", 1, Number::uint32},
+          {"j", "1", 1, Number::uint32},
+          {"energy", "J"}};
+}
+
+}  // namespace
+
+ResultsTable::ResultsTable(hdf5::File& file, const std::string& group, std::vector<Channel> channels)
+    : group_(group), channels_(std::move(channels)), waiting_(channels_.size()) {
+  for (const Channel& channel : channels_) {
+    datasets_.push_back(file.create_dataset(group + "/" + channel.name, layout_of(channel)));
+    datasets_.back().set_attribute("units", channel.units);
+    row_length_ += static_cast<std::size_t>(channel.columns);
+  }
+}
+
+void ResultsTable::append(std::span<const double> row) {
+  if (row.size() != row_length_)
+    throw std::logic_error(group_ + ": a row has " + std::to_string(row_length_) + " numbers, not " +
+                           std::to_string(row.size()));
+  std::size_t begin = 0;
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const auto part = row.subspan(begin, static_cast<std::size_t>(channels_[c].columns));
+    waiting_[c].insert(waiting_[c].end(), part.begin(), part.end());
+    begin += part.size();
+  }
+  ++waiting_rows_;
+}
+
+void ResultsTable::flush() {
+  if (waiting_rows_ == 0) return;
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    datasets_[c].append(waiting_[c]);
+    datasets_[c].flush();
+    waiting_[c].clear();
+  }
+  waiting_rows_ = 0;
+}
+
+ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content)
+    : file_(hdf5::File::create(path)), last_flush_(std::chrono::steady_clock::now()) {
+  write_record(*file_, content.record);
+  const auto add_table = [&](const std::string& group, const std::vector<Channel>& channels) {
+    file_->create_group(group);
+    if (!channels.empty()) tables_.emplace(group, ResultsTable(*file_, group, channels));
+  };
+  add_table("/series", content.series);
+  add_table("/ledger", content.ledger);
+  add_table("/performance", content.performance);
+  if (content.breakage) add_table("/breakage", breakage_channels());
+  if (!content.product_sizes.empty()) {
+    const int sieves = static_cast<int>(content.product_sizes.size());
+    add_table("/product", {{"time", "s"}, {"passing", "1", sieves}});
+    file_->write_numbers("/product/sizes", content.product_sizes);
+    file_->dataset("/product/sizes").set_attribute("units", "m");
+  }
+  for (const LinerMap& liner : content.liners) {
+    using hdf5::Number;
+    add_table(
+        "/liners/" + liner.wall,
+        {{"time", "s"}, {"pressure", "Pa", liner.cells, Number::float32}, {"work", "J", liner.cells, Number::float32}});
+  }
+  file_->start_appending();
+}
+
+ResultsFile::~ResultsFile() {
+  try {
+    close();
+  } catch (const std::exception&) {
+    // An error that matters is on its way already: this runs only when close() was not reached.
+  }
+}
+
+void ResultsFile::append(const std::string& group, std::span<const double> row) {
+  if (!file_) throw OutputError("results.h5 is closed");
+  const auto table = tables_.find(group);
+  if (table == tables_.end()) throw std::logic_error("results.h5 was made without " + group);
+  table->second.append(row);
+  const bool due = std::chrono::steady_clock::now() - last_flush_ >= flush_interval;
+  if (due || table->second.waiting_rows() >= rows_kept) flush();
+}
+
+void ResultsFile::append_series(std::span<const double> row) {
+  append("/series", row);
+}
+
+void ResultsFile::append_ledger(std::span<const double> row) {
+  append("/ledger", row);
+}
+
+void ResultsFile::append_performance(std::span<const double> row) {
+  append("/performance", row);
+}
+
+void ResultsFile::append_breakages(std::span<const Breakage> breakages) {
+  for (const Breakage& b : breakages) {
+    const double row[] = {b.time,
+                          static_cast<double>(b.mode),
+                          b.position.x,
+                          b.position.y,
+                          b.position.z,
+                          static_cast<double>(b.rock),
+                          static_cast<double>(b.i),
+                          static_cast<double>(b.j),
+                          b.energy};
+    append("/breakage", row);
+  }
+}
+
+void ResultsFile::append_product(double time, std::span<const double> passing) {
+  std::vector<double> row{time};
+  row.insert(row.end(), passing.begin(), passing.end());
+  append("/product", row);
+}
+
+void ResultsFile::append_liner(const std::string& wall, double time, std::span<const double> pressure,
+                               std::span<const double> work) {
+  std::vector<double> row{time};
+  row.insert(row.end(), pressure.begin(), pressure.end());
+  row.insert(row.end(), work.begin(), work.end());
+  append("/liners/" + wall, row);
+}
+
+void ResultsFile::flush() {
+  try {
+    for (auto& [group, table] : tables_) table.flush();
+  } catch (...) {
+    abandon();  // a second try would add the same rows again
+    throw;
+  }
+  last_flush_ = std::chrono::steady_clock::now();
+}
+
+void ResultsFile::close() {
+  if (!file_) return;
+  flush();
+  tables_.clear();
+  hdf5::File file = std::move(*file_);
+  file_.reset();
+  file.close();
+}
+
+void ResultsFile::abandon() {
+  tables_.clear();
+  file_.reset();
+}
+
+}  // namespace gyro

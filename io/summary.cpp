@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/summary.hpp"
+
+#include "io/replace_file.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace gyro {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json number(const std::optional<double>& value) {
+  return value ? number(*value) : Json(nullptr);
+}
+
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+}  // namespace
+
+std::string to_string(RunStatus status) {
+  switch (status) {
+    case RunStatus::done:
+      return "done";
+    case RunStatus::interrupted:
+      return "interrupted";
+    case RunStatus::stopped:
+      return "stopped";
+    case RunStatus::failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+std::string to_json(const Summary& s) {
+  const Json json = {{"status", to_string(s.status)},
+                     {"reason", text_or_null(s.reason)},
+                     {"title", s.title},
+                     {"version", s.version},
+                     {"git", s.git_hash},
+                     {"device", s.device},
+                     {"threads", s.threads},
+                     {"precision", s.precision},
+                     {"simulated_seconds", number(s.simulated_seconds)},
+                     {"wall_seconds", number(s.wall_seconds)},
+                     {"particle_steps", s.particle_steps},
+                     {"bond_steps", s.bond_steps},
+                     {"time_step", number(s.time_step)},
+                     {"time_step_limit", number(s.time_step_limit)},
+                     {"particles", s.particles},
+                     {"bonds_initial", s.bonds_initial},
+                     {"bonds_broken", s.bonds_broken},
+                     {"feed_mass", number(s.feed_mass)},
+                     {"discharged_mass", number(s.discharged_mass)},
+                     {"throughput_tph", number(s.throughput_tph)},
+                     {"specific_energy_kwh_per_t", number(s.specific_energy_kwh_per_t)},
+                     {"mean_crushing_power", number(s.mean_crushing_power)},
+                     {"p80", number(s.p80)},
+                     {"energy_residual_fraction", number(s.energy_residual_fraction)},
+                     {"mass_residual_fraction", number(s.mass_residual_fraction)},
+                     {"stalled", s.stalled}};
+  // A title may hold bytes that are no UTF-8; they must not cost the summary.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(const Summary& summary, const std::filesystem::path& directory) {
+  replace_file(directory / "summary.json", to_json(summary), true);
+}
+
+std::optional<EarlierRun> read_summary(const std::filesystem::path& directory) {
+  std::ifstream file(directory / "summary.json");
+  const Json json = Json::parse(file, nullptr, false);
+  if (!json.is_object() || !json.contains("status") || !json["status"].is_string()) return std::nullopt;
+  EarlierRun run{json["status"].get<std::string>(), 0};
+  if (json.contains("simulated_seconds") && json["simulated_seconds"].is_number())
+    run.simulated_seconds = json["simulated_seconds"].get<double>();
+  return run;
+}
+
+}  // namespace gyro

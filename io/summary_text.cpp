@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/progress.hpp"
+#include "io/summary.hpp"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace gyro {
+namespace {
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
+  char text[256];
+  std::va_list values;
+  va_start(values, pattern);
+  std::vsnprintf(text, sizeof text, pattern, values);
+  va_end(values);
+  return text;
+}
+
+/// "  name                value".
+std::string line(const char* name, const std::string& value) {
+  return format("  %-18s", name) + value + "\n";
+}
+
+std::string product_lines(const Summary& s) {
+  std::string text;
+  if (s.feed_mass) text += line("fed", format("%.4g t", *s.feed_mass / 1e3));
+  if (s.discharged_mass) text += line("discharged", format("%.4g t", *s.discharged_mass / 1e3));
+  if (s.throughput_tph) text += line("throughput", format("%.4g t/h", *s.throughput_tph));
+  if (s.p80) text += line("product P80", format("%.4g mm", *s.p80 * 1e3));
+  if (s.mean_crushing_power) text += line("crushing power", format("%.4g kW, mean", *s.mean_crushing_power / 1e3));
+  if (s.specific_energy_kwh_per_t) text += line("specific energy", format("%.4g kWh/t", *s.specific_energy_kwh_per_t));
+  if (s.stalled) text += line("drive", "stalled");
+  return text;
+}
+
+std::string balance_lines(const Summary& s) {
+  std::string text;
+  if (s.energy_residual_fraction)
+    text += line("energy residual", format("%.2g of the work done", *s.energy_residual_fraction));
+  if (s.mass_residual_fraction) text += line("mass residual", format("%.2g", *s.mass_residual_fraction));
+  return text;
+}
+
+std::string speed(double count, double seconds, const char* of) {
+  return seconds > 0 ? ", " + format_count(count / seconds) + " " + of + "/s" : std::string();
+}
+
+}  // namespace
+
+std::string to_text(const Summary& s, const std::filesystem::path& directory) {
+  std::string text = "\n" + (s.title.empty() ? std::string("Run") : s.title) + ": " + to_string(s.status);
+  if (!s.reason.empty()) text += " (" + s.reason + ")";
+  text += format(", %.6g s simulated in ", s.simulated_seconds) + format_duration(s.wall_seconds) + "\n";
+  text += product_lines(s);
+  text += line("particles", std::to_string(s.particles) + " at the end" +
+                                speed(static_cast<double>(s.particle_steps), s.wall_seconds, "particle-steps"));
+  if (s.bonds_initial > 0) {
+    const double share = 100.0 * static_cast<double>(s.bonds_broken) / static_cast<double>(s.bonds_initial);
+    text += line("bonds", std::to_string(s.bonds_broken) + " of " + std::to_string(s.bonds_initial) +
+                              format(" broken (%.3g %%)", share) +
+                              speed(static_cast<double>(s.bond_steps), s.wall_seconds, "bond-steps"));
+  }
+  if (s.time_step_limit > 0)
+    text += line("time step", format("%.4g us, limit %.4g us", s.time_step * 1e6, s.time_step_limit * 1e6));
+  text += balance_lines(s);
+  text +=
+      line("ran on", s.device +
+                         (s.threads > 0 ? ", " + std::to_string(s.threads) + (s.threads == 1 ? " thread" : " threads")
+                                        : std::string()) +
+                         (s.precision.empty() ? "" : ", " + s.precision + " precision"));
+  return text + line("output", directory.string());
+}
+
+}  // namespace gyro
