@@ -3,8 +3,8 @@
 
 // Contact geometry of a sphere and a wall, in the wall's body frame: plane here, surface of
 // revolution and triangles in the files included.
+#include "core/laws/wall_mesh.hpp"
 #include "core/laws/wall_profile.hpp"
-#include "core/laws/wall_triangle.hpp"
 
 namespace gyro {
 

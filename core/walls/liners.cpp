@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/liners.hpp"
+
+#include "core/base/errors.hpp"
+#include "core/walls/section.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace gyro {
+namespace {
+
+void require(bool good, const std::string& message) {
+  if (!good) throw BadInput(message);
+}
+
+void check_rows(std::span<const LinerRow> rows) {
+  require(rows.size() >= 2, "the liner profile has " + std::to_string(rows.size()) + " rows; two or more are accepted");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const LinerRow& row = rows[i];
+    const std::string which = "row " + std::to_string(i + 1) + " of the liner profile: ";
+    require(std::isfinite(row.z) && std::isfinite(row.mantle_radius) && std::isfinite(row.concave_radius),
+            which + "a number is not finite; finite numbers are accepted");
+    require(row.mantle_radius > 0 && row.concave_radius > row.mantle_radius,
+            which + "the mantle is not inside the concave; 0 < mantle radius < concave radius is accepted");
+    require(i == 0 || row.z > rows[i - 1].z, which + "z does not rise; rows in order of rising z are accepted");
+  }
+  require(rows.front().z <= 0 && rows.back().z > 0,
+          "the liner profile does not hold the discharge plane; z from 0 or below to above 0 is accepted");
+}
+
+void check_setting(const LinerSetting& s, double top) {
+  require(s.closed_side_setting > 0 && std::isfinite(s.closed_side_setting),
+          "closed_side_setting is not positive; a length above 0 is accepted");
+  require(s.eccentricity >= 0 && std::isfinite(s.eccentricity),
+          "eccentricity is negative; a length from 0 is accepted");
+  require(s.pivot_height > top && std::isfinite(s.pivot_height),
+          "pivot_height is not above the liners; a height above " + std::to_string(top) + " m is accepted");
+  require(s.collar >= 0 && std::isfinite(s.collar), "collar is negative; a height from 0 is accepted");
+}
+
+ProfileShape concave_of(std::span<const LinerRow> rows, double collar) {
+  ProfileShape shape;
+  for (const LinerRow& row : rows) shape.points.push_back({row.concave_radius, row.z});
+  if (collar > 0) shape.points.push_back({rows.back().concave_radius, rows.back().z + collar});
+  return shape;
+}
+
+ProfileShape mantle_of(std::span<const LinerRow> rows) {
+  ProfileShape shape;
+  shape.points.push_back({0, rows.back().z + rows.back().mantle_radius});
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) shape.points.push_back({row->mantle_radius, row->z});
+  shape.points.push_back({0, rows.front().z});
+  return shape;
+}
+
+/// The concave's lowest tenth above the discharge plane.
+Polyline discharge_zone(const Liners& liners) {
+  Polyline line;
+  for (const LinerRow& row : liners.rows) line.push_back({row.concave_radius, row.z});
+  return below(line, 0.1 * liners.rows.back().z);
+}
+
+/// The mantle's flank in the plane of both axes, tilted by the angle of sine s about the pivot.
+/// s > 0: the side to which the lower end leans.
+Polyline tilted_mantle(const Liners& liners, double lift, double s) {
+  const double c = std::sqrt((1 - s) * (1 + s)), pivot = liners.setting.pivot_height;
+  Polyline line;
+  for (const LinerRow& row : liners.rows) {
+    const double along = row.z + lift - pivot;
+    line.push_back({c * row.mantle_radius - s * along, pivot + c * along + s * row.mantle_radius});
+  }
+  return line;
+}
+
+}  // namespace
+
+Liners make_liners(std::span<const LinerRow> rows, const LinerSetting& setting) {
+  check_rows(rows);
+  check_setting(setting, rows.back().z);
+  Liners liners;
+  liners.rows.assign(rows.begin(), rows.end());
+  liners.setting = setting;
+  liners.concave = concave_of(rows, setting.collar);
+  liners.mantle = mantle_of(rows);
+  liners.motion = {setting.eccentricity, setting.pivot_height, 0};
+  liners.motion.lift = solve_lift(liners);
+  return liners;
+}
+
+double side_setting(const Liners& liners, double lift, bool closed_side) {
+  const double s = liners.setting.eccentricity / liners.setting.pivot_height;
+  const Polyline mantle = tilted_mantle(liners, lift, closed_side ? s : -s);
+  const Polyline zone = discharge_zone(liners);
+  return cross_each_other(mantle, zone) ? -1 : distance_between(mantle, zone);
+}
+
+double solve_lift(const Liners& liners) {
+  const double wanted = liners.setting.closed_side_setting;
+  const auto excess = [&](double lift) { return side_setting(liners, lift, true) - wanted; };
+  // Widen a bracket [low, high] around no lift: open below, closed above.
+  const double most = (liners.rows.back().z - liners.rows.front().z) / 2;
+  double low = 0, high = 0;
+  for (double step = most / 64; step <= most && excess(low) < 0; step *= 2) low = -step;
+  for (double step = most / 64; step <= most && excess(high) > 0; step *= 2) high = step;
+  require(excess(low) >= 0 && excess(high) <= 0,
+          "closed_side_setting of " + std::to_string(wanted) + " m cannot be had by lifting the mantle; between " +
+              std::to_string(std::max(side_setting(liners, most, true), 0.0)) + " and " +
+              std::to_string(side_setting(liners, -most, true)) + " m are accepted");
+  while (high - low > 1e-12 * most) {
+    const double middle = (low + high) / 2;
+    (excess(middle) >= 0 ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+MeshShape revolve(const ProfileShape& shape, int sectors) {
+  require(sectors >= 3, "a surface of revolution of " + std::to_string(sectors) + " sectors; 3 or more are accepted");
+  MeshShape mesh;
+  std::vector<Index> ring;  // first vertex of each profile point's ring
+  for (const ProfilePoint& p : shape.points) {
+    ring.push_back(static_cast<Index>(mesh.vertices.size()));
+    const int count = p.r > 0 ? sectors : 1;
+    for (int k = 0; k < count; ++k) {
+      const double azimuth = 2 * std::numbers::pi * k / sectors;
+      mesh.vertices.push_back({p.r * std::cos(azimuth), p.r * std::sin(azimuth), p.z});
+    }
+  }
+  for (std::size_t i = 0; i + 1 < shape.points.size(); ++i) {
+    const bool from_axis = !(shape.points[i].r > 0), to_axis = !(shape.points[i + 1].r > 0);
+    for (int k = 0; k < sectors; ++k) {
+      const Index next = (k + 1) % sectors;
+      const Index p0 = ring[i] + (from_axis ? 0 : k), p1 = ring[i] + (from_axis ? 0 : next);
+      const Index q0 = ring[i + 1] + (to_axis ? 0 : k), q1 = ring[i + 1] + (to_axis ? 0 : next);
+      if (!from_axis) mesh.triangles.push_back({p0, q0, p1});
+      if (!to_axis) mesh.triangles.push_back({p1, q0, q1});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace gyro
