@@ -9,8 +9,8 @@ namespace gyro {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double pound = 0.45359237;                    // international pound, exact [kg]
-constexpr double standard_gravity = 9.80665;            // exact [m/s2]
+constexpr double pound = 0.45359237;                           // international pound, exact [kg]
+constexpr double standard_gravity = 9.80665;                   // exact [m/s2]
 constexpr double horsepower = 550 * pound * 9.80665 * 0.3048;  // mechanical: 550 ft lbf/s [W]
 constexpr double psi = pound * 9.80665 / (0.0254 * 0.0254);    // lbf/in2 [Pa]
 
@@ -108,8 +108,12 @@ const std::vector<Unit> unit_table = {
     {"kN m s/rad", rotational_damping, 1e3},
 };
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_space(char c) { return c == ' ' || c == '\t'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_space(char c) {
+  return c == ' ' || c == '\t';
+}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
@@ -161,7 +165,9 @@ bool has_leading_zero(std::string_view number_text) {
   return number_text.size() > 1 && number_text[0] == '0' && is_digit(number_text[1]);
 }
 
-std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+std::string in_quotes(std::string_view text) {
+  return '"' + std::string(text) + '"';
+}
 
 /// "a plain number in m or a string with a unit (m, km, ...) is accepted"
 std::string accepted(Dimension dimension) {
@@ -186,46 +192,69 @@ const Unit* find_unit(const std::string& name, Dimension dimension) {
 /// The number in front of a text, in the text's own unit; `rest` is what follows it.
 ParsedNumber leading_number(std::string_view text, std::string_view& rest, const std::string& what_is_accepted) {
   const std::size_t length = number_length(text);
-  if (length == 0) return {{}, quoted(text) + " is not a number; " + what_is_accepted};
+  if (length == 0) return {{}, in_quotes(text) + " is not a number; " + what_is_accepted};
   std::string_view digits = text.substr(0, length);
   rest = text.substr(length);
   if (has_leading_zero(digits))
-    return {{}, quoted(text) + " has a leading zero, which some readers take for octal; write it without"};
+    return {{}, in_quotes(text) + " has a leading zero, which some readers take for octal; write it without"};
   if (digits.front() == '+') digits.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-    return {{}, quoted(text) + " does not fit a double; " + what_is_accepted};
+    return {{}, in_quotes(text) + " does not fit a double; " + what_is_accepted};
   return {value, {}};
 }
 
 }  // namespace
 
-const std::vector<Unit>& units() { return unit_table; }
+const std::vector<Unit>& units() {
+  return unit_table;
+}
 
 std::string_view name_of(Dimension dimension) {
   switch (dimension) {
-    case number: return "a number";
-    case length: return "a length";
-    case area: return "an area";
-    case volume: return "a volume";
-    case mass: return "a mass";
-    case time: return "a time";
-    case angle: return "an angle";
-    case speed: return "a speed";
-    case angular_speed: return "an angular speed";
-    case acceleration: return "an acceleration";
-    case force: return "a force";
-    case torque: return "a torque";
-    case pressure: return "a pressure";
-    case stiffness: return "a stiffness";
-    case stiffness_per_area: return "a stiffness per area";
-    case density: return "a density";
-    case mass_flow: return "a mass flow";
-    case power: return "a power";
-    case energy: return "an energy";
-    case inertia: return "a moment of inertia";
-    case rotational_damping: return "a rotational damping";
+    case number:
+      return "a number";
+    case length:
+      return "a length";
+    case area:
+      return "an area";
+    case volume:
+      return "a volume";
+    case mass:
+      return "a mass";
+    case time:
+      return "a time";
+    case angle:
+      return "an angle";
+    case speed:
+      return "a speed";
+    case angular_speed:
+      return "an angular speed";
+    case acceleration:
+      return "an acceleration";
+    case force:
+      return "a force";
+    case torque:
+      return "a torque";
+    case pressure:
+      return "a pressure";
+    case stiffness:
+      return "a stiffness";
+    case stiffness_per_area:
+      return "a stiffness per area";
+    case density:
+      return "a density";
+    case mass_flow:
+      return "a mass flow";
+    case power:
+      return "a power";
+    case energy:
+      return "an energy";
+    case inertia:
+      return "a moment of inertia";
+    case rotational_damping:
+      return "a rotational damping";
   }
   return "a quantity";
 }
@@ -245,11 +274,11 @@ ParsedNumber parse_quantity(std::string_view text, Dimension dimension) {
   if (name.empty()) return parsed;
   const Unit* unit = name == "1" ? nullptr : find_unit(name, dimension);
   if (unit == nullptr)
-    return {{}, quoted(text) + " has the unknown unit " + quoted(name) + "; " + accepted(dimension)};
+    return {{}, in_quotes(text) + " has the unknown unit " + in_quotes(name) + "; " + accepted(dimension)};
   if (unit->dimension != dimension)
-    return {{}, quoted(text) + " is " + std::string(name_of(unit->dimension)) + "; " + accepted(dimension)};
+    return {{}, in_quotes(text) + " is " + std::string(name_of(unit->dimension)) + "; " + accepted(dimension)};
   const double value = *parsed.value * unit->factor;
-  if (!std::isfinite(value)) return {{}, quoted(text) + " does not fit a double; " + accepted(dimension)};
+  if (!std::isfinite(value)) return {{}, in_quotes(text) + " does not fit a double; " + accepted(dimension)};
   return {value, {}};
 }
 
@@ -260,7 +289,7 @@ ParsedNumber parse_integer(std::string_view text) {
   const ParsedNumber parsed = leading_number(text, rest, wanted);
   if (!parsed.value) return parsed;
   if (!rest.empty() || *parsed.value != std::floor(*parsed.value))
-    return {{}, quoted(text) + " is not a whole number; " + wanted};
+    return {{}, in_quotes(text) + " is not a whole number; " + wanted};
   return parsed;
 }
 

@@ -10,27 +10,27 @@ namespace gyro {
 
 /// What a quantity of the case file measures.
 enum class Dimension {
-  number,                // [-], also percent
-  length,                // [m]
-  area,                  // [m2]
-  volume,                // [m3]
-  mass,                  // [kg]
-  time,                  // [s]
-  angle,                 // [rad]
-  speed,                 // [m/s]
-  angular_speed,         // [rad/s]
-  acceleration,          // [m/s2]
-  force,                 // [N]
-  torque,                // [N m]
-  pressure,              // [Pa]
-  stiffness,             // [N/m]
-  stiffness_per_area,    // [Pa/m]
-  density,               // [kg/m3]
-  mass_flow,             // [kg/s]
-  power,                 // [W]
-  energy,                // [J]
-  inertia,               // [kg m2]
-  rotational_damping,    // [N m s]
+  number,              // [-], also percent
+  length,              // [m]
+  area,                // [m2]
+  volume,              // [m3]
+  mass,                // [kg]
+  time,                // [s]
+  angle,               // [rad]
+  speed,               // [m/s]
+  angular_speed,       // [rad/s]
+  acceleration,        // [m/s2]
+  force,               // [N]
+  torque,              // [N m]
+  pressure,            // [Pa]
+  stiffness,           // [N/m]
+  stiffness_per_area,  // [Pa/m]
+  density,             // [kg/m3]
+  mass_flow,           // [kg/s]
+  power,               // [W]
+  energy,              // [J]
+  inertia,             // [kg m2]
+  rotational_damping,  // [N m s]
 };
 
 /// A unit that a case file may use.

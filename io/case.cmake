@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The case file. yaml-cpp stays inside yaml_tree.cpp, nlohmann-json inside schema_json.cpp.
+find_package(yaml-cpp 0.7 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+if(NOT TARGET yaml-cpp::yaml-cpp)
+  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)  # the name that yaml-cpp has from 0.8 on
+endif()
+
+gyro_library(gyro_case
+  SOURCES case_build.cpp case_checks.cpp case_complete.cpp case_load.cpp case_start_state.cpp case_tables.cpp csv.cpp
+          schema.cpp schema_describe.cpp schema_json.cpp schema_keys.cpp schema_read.cpp schema_values.cpp
+          schema_write.cpp units.cpp yaml_tree.cpp
+  PRIVATE yaml-cpp::yaml-cpp nlohmann_json::nlohmann_json)

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyro {
+
+/// Something wrong in a table, at a line and column of its file, from 1.
+struct CsvProblem {
+  int line = 1, column = 1;
+  std::string message;
+};
+
+/// A table of finite numbers with a header row.
+struct CsvTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<double>> rows;
+  std::vector<int> lines;            ///< line of the file that each row stands in
+  std::vector<CsvProblem> problems;  ///< at most 20; the table is to be used only without any
+
+  /// Column of a name; -1 if the table has none.
+  int column(std::string_view name) const;
+};
+
+/// Reads a comma-separated table. Empty lines and lines that begin with # are skipped.
+/// @param header  columns that must be there, in this order
+/// @param groups  columns that may follow, in this order, each group whole or not at all
+CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& header,
+                  const std::vector<std::vector<std::string>>& groups = {});
+
+}  // namespace gyro

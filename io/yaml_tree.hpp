@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyro {
+
+/// A place in the input. Lines and columns count from 1.
+struct Mark {
+  int source = 0;  ///< 0: the case file; k: the k-th override
+  int line = 1;
+  int column = 1;
+};
+
+/// What is wrong at a place: "problem; what is accepted".
+struct MarkedProblem {
+  Mark mark = {};
+  std::string message;
+};
+
+struct YamlEntry;
+
+/// A YAML node with its place: a null, a scalar's text, a list or a map in the order of the file.
+struct YamlNode {
+  enum class Kind { null, scalar, list, map };
+  Kind kind = Kind::null;
+  Mark mark = {};
+  std::string text = {};                ///< of a scalar
+  std::vector<YamlNode> items = {};     ///< of a list
+  std::vector<YamlEntry> entries = {};  ///< of a map; keys are unique
+
+  YamlEntry* find(std::string_view key);  ///< in a map; null where there is none
+  const YamlEntry* find(std::string_view key) const;
+};
+
+/// A key of a map and its value.
+struct YamlEntry {
+  std::string key;
+  Mark mark;  ///< of the key
+  YamlNode value;
+};
+
+/// One YAML document, and everything about it that a case file may not have: syntax errors, keys
+/// given twice, merge keys, anchors, aliases, tags, a second document, text that is not UTF-8.
+struct YamlDocument {
+  YamlNode root;
+  std::vector<MarkedProblem> problems;
+};
+
+/// Parses a text. Never throws on bad text. A byte order mark of UTF-8 is skipped.
+/// @param first  where the text begins: its line and column are added to those inside the text
+YamlDocument parse_yaml(std::string_view text, Mark first = {});
+
+}  // namespace gyro
