@@ -15,12 +15,12 @@ enum class DrivetrainStart {
 
 /// Everything the drivetrain is told by the user. SI units, angles in rad.
 struct DrivetrainParameters {
-  Motor motor;
+  Motor motor{};
   double gear_ratio = 1;         ///< motor speed / eccentric speed, > 0 [-]
   double gear_efficiency = 1;    ///< of the power that passes the gear, either way, 0 < eff <= 1 [-]
   double motor_inertia = 0;      ///< motor, coupling and pinion, about the motor shaft, >= 0 [kg m2]
   double eccentric_inertia = 0;  ///< eccentric and bevel gear, about the machine's axis, >= 0 [kg m2]
-  LossParameters losses;
+  LossParameters losses{};
   DrivetrainStart start = DrivetrainStart::running;
   double start_angle = 0;  ///< eccentric angle at time 0 [rad]
 

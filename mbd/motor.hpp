@@ -10,7 +10,7 @@
 
 namespace gyro {
 
-/// Induction motor after Kloss (1909), from the figures of its name plate.
+/// Induction motor after Kloss (1916), from the figures of its name plate.
 ///
 ///   T(s) = 2 Tb s sb / (s^2 + sb^2),   s = 1 - speed / synchronous_speed
 ///   Tb = breakdown_ratio TN,  TN = rated_power / ((1 - sN) synchronous_speed)

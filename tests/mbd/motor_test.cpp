@@ -1,1 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/mbd/machines.hpp"
+
+#include <limits>
+
+namespace gyro {
+namespace {
+
+const CurveMotor catalogue{.speeds = {0, 40, 90, 100, 110}, .torques = {200, 180, 250, 50, -150}};
+
+}  // namespace
+
+TEST_CASE("Kloss: the four points that define the curve", "[mbd][motor]") {
+  const InductionMotor motor = textbook_kloss();
+  const double synchronous = motor.synchronous_speed;
+  CHECK(motor.breakdown_torque() == Approx(1000).epsilon(1e-14));
+  CHECK(motor.breakdown_slip() == Approx(0.1).epsilon(1e-14));
+  CHECK(motor.torque(0) == Approx(1000 * 2 / (1 / 0.1 + 0.1)).epsilon(1e-14));  // locked rotor
+  CHECK(motor.torque(0) / 1000 == Approx(0.19802).epsilon(1e-5));
+  CHECK(motor.torque((1 - 0.1) * synchronous) == Approx(1000).epsilon(1e-14));  // breakdown
+  CHECK(motor.torque(motor.rated_speed()) == Approx(motor.rated_torque()).epsilon(1e-13));
+  CHECK(motor.torque(synchronous) == 0);
+}
+
+TEST_CASE("Kloss: breakdown is the largest torque", "[mbd][motor]") {
+  const InductionMotor motor = induction_450kw();
+  for (int k = -1000; k <= 2000; ++k) {
+    CAPTURE(k);
+    CHECK(std::abs(motor.torque(motor.synchronous_speed * k / 1000)) <= motor.breakdown_torque() * (1 + 1e-14));
+  }
+}
+
+TEST_CASE("Kloss: generator above, plugging below", "[mbd][motor]") {
+  const InductionMotor motor = textbook_kloss();
+  for (const double slip : {1e-9, 0.01, 0.1, 0.5, 2.0}) {
+    CAPTURE(slip);
+    const double driving = motor.torque(100 * (1 - slip));
+    CHECK(driving > 0);
+    CHECK(motor.torque(100 * (1 + slip)) == Approx(-driving).epsilon(1e-6));  // odd in the slip
+  }
+  CHECK(motor.torque(-50) == Approx(1000 * 2 / (1.5 / 0.1 + 0.1 / 1.5)).epsilon(1e-14));  // s = 1.5
+}
+
+TEST_CASE("62-75 name plate: rated torque, slips under load", "[mbd][motor]") {
+  const InductionMotor motor = induction_450kw();
+  CHECK(motor.rated_torque() * motor.rated_speed() == Approx(450e3).epsilon(1e-14));
+  CHECK(motor.breakdown_slip() == Approx(0.0800).epsilon(2e-3));
+  CHECK(motor.torque(600 * rpm * (1 - 0.013)) / motor.rated_torque() == Approx(0.78).epsilon(0.02));
+  CHECK(motor.torque(600 * rpm * (1 - 0.027)) / motor.rated_torque() == Approx(1.50).epsilon(0.02));
+  CHECK(motor.torque(0) / motor.rated_torque() == Approx(0.40).epsilon(0.02));
+}
+
+TEST_CASE("Droop of the paper: 160 rpm idle, 21 kN m at 125 rpm", "[mbd][motor]") {
+  const DroopMotor motor = paper_droop();
+  const double ratio = 3.75;
+  CHECK(motor.torque(ratio * 160 * rpm) == Approx(0).margin(1e-9));
+  CHECK(ratio * motor.torque(ratio * 125 * rpm) == Approx(21e3).epsilon(1e-13));
+  const double slope = ratio * (motor.torque(0) - motor.torque(ratio)) / 1;  // per rad/s of the eccentric
+  CHECK(slope == Approx(5729.6).epsilon(1e-5));
+}
+
+TEST_CASE("Curve: linear between the points, as documented outside", "[mbd][motor]") {
+  CHECK(catalogue.torque(0) == 200);
+  CHECK(catalogue.torque(20) == Approx(190));
+  CHECK(catalogue.torque(90) == Approx(250));
+  CHECK(catalogue.torque(95) == Approx(150));
+  CHECK(catalogue.torque(110) == Approx(-150));
+  CHECK(catalogue.torque(-30) == 200);           // locked-rotor torque goes on
+  CHECK(catalogue.torque(115) == Approx(-250));  // the last line goes on
+  CHECK(catalogue.no_load_speed() == Approx(102.5));
+  CHECK(catalogue.torque(catalogue.no_load_speed()) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("Motors out of range are refused", "[mbd][motor]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_NOTHROW(check_motor(catalogue));
+  CHECK_NOTHROW(check_motor(induction_450kw()));
+  InductionMotor motor = induction_450kw();
+  motor.breakdown_ratio = 1;
+  CHECK_THROWS_AS(check_motor(motor), BadInput);
+  motor = induction_450kw();
+  motor.rated_slip = 1;
+  CHECK_THROWS_AS(check_motor(motor), BadInput);
+  motor.rated_slip = nan;
+  CHECK_THROWS_AS(check_motor(motor), BadInput);
+  CHECK_THROWS_AS(check_motor(DroopMotor{.synchronous_speed = 60, .stall_torque = 0}), BadInput);
+  CHECK_THROWS_AS(check_motor(ConstantSpeedMotor{.speed = -1}), BadInput);
+  CHECK_THROWS_AS(check_motor(CurveMotor{{0}, {1}}), BadInput);
+  CHECK_THROWS_AS(check_motor(CurveMotor{{0, 1}, {1}}), BadInput);
+  CHECK_THROWS_AS(check_motor(CurveMotor{{0, 5, 5}, {2, 1, 0}}), BadInput);
+  CHECK_THROWS_AS(check_motor(CurveMotor{{1, 5}, {2, 0}}), BadInput);    // no standstill
+  CHECK_THROWS_AS(check_motor(CurveMotor{{0, 5}, {2, 1}}), BadInput);    // never zero
+  CHECK_THROWS_AS(check_motor(CurveMotor{{0, 5}, {-1, -2}}), BadInput);  // never drives
+  CHECK_THROWS_AS(check_motor(CurveMotor{{-5, 5}, {2, -8}}), BadInput);  // idles backwards
+}
+
+}  // namespace gyro

@@ -1,1 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/catch.hpp"
+#include "tests/mbd/machines.hpp"
+
+#include <algorithm>
+
+namespace gyro {
+namespace {
+
+constexpr double length = 2e-3;  // of a window [s]
+
+/// 62-75 with its induction motor and losses.
+DrivetrainParameters machine_with_losses(double load_factor) {
+  DrivetrainParameters machine = crusher_62_75(induction_450kw());
+  machine.losses = {.no_load_power = 100e3, .load_factor = load_factor};
+  return machine;
+}
+
+double breakdown_at_eccentric() {
+  return 3.75 * induction_450kw().breakdown_torque();
+}
+
+/// Changes of direction, and motion of the wall while the shaft was stuck before and after a window.
+struct Watch {
+  int changes = 0;
+  double wall_creep = 0;  ///< [rad/s]
+  template <class Torque>
+  void window(Drivetrain& drivetrain, std::int64_t k, const Torque& torque) {
+    const double before = drivetrain.state().direction;
+    const MantlePath path = exchange(drivetrain, window_number(k, length), torque);
+    if (drivetrain.state().direction != before) ++changes;
+    if (drivetrain.stuck() && before == 0) wall_creep = std::max(wall_creep, std::abs(path.speed));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Overload with friction: stops, stands exactly still, starts again", "[mbd][stall]") {
+  const double load = 1.1 * breakdown_at_eccentric();
+  const auto overload = [&](double, double) { return load; };
+  // Friction that grows with the load holds the rest of the overload: self-locking.
+  Drivetrain drivetrain(machine_with_losses(1.0));
+  Watch watch;
+  std::int64_t k = 0;
+  while (!drivetrain.stuck() && k < 10000) watch.window(drivetrain, k++, overload);
+  REQUIRE(drivetrain.stuck());
+  REQUIRE(drivetrain.stalled());
+  CHECK(*drivetrain.stall_time() > (k - 1) * length);
+  CHECK(*drivetrain.stall_time() <= k * length);
+
+  const double angle = drivetrain.state().angle, work = drivetrain.state().motor_work;
+  for (int n = 0; n < 2000; ++n) {
+    watch.window(drivetrain, k++, overload);
+    REQUIRE(drivetrain.state().speed == 0);
+    REQUIRE(drivetrain.state().angle == angle);
+    REQUIRE(drivetrain.means().motor_power == 0);
+  }
+  CHECK(watch.changes == 1);
+  CHECK(watch.wall_creep == 0);
+  CHECK(drivetrain.state().motor_work == work);
+  CHECK(drivetrain.means().motor_torque == Approx(induction_450kw().torque(0)));
+
+  const double stall_time = *drivetrain.stall_time();
+  for (int n = 0; n < 10000; ++n) watch.window(drivetrain, k++, no_rock);  // 20 s
+  CHECK(watch.changes == 2);
+  CHECK(drivetrain.state().speed == Approx(idle_speed(machine_with_losses(1.0))).epsilon(1e-6));
+  CHECK(*drivetrain.stall_time() == stall_time);  // the first one is kept
+}
+
+TEST_CASE("Time to stall under constant overload matches the integral of J dw / T", "[mbd][stall]") {
+  // Droop: J dw/dt = T0 (1 - w/ws) - L, stops after tau ln(L / (L - T0)), tau = J ws / T0.
+  const double load = 120e3, stall_torque = 96e3;
+  const DrivetrainParameters machine = crusher_62_75(paper_droop());
+  const double tau = machine.effective_inertia() * 160 * rpm / stall_torque;
+  Drivetrain drivetrain(machine);
+  for (int k = 0; !drivetrain.stalled() && k < 20000; ++k)
+    exchange(drivetrain, window_number(k, length), [&](double, double) { return load; });
+  REQUIRE(drivetrain.stalled());
+  CHECK(*drivetrain.stall_time() == Approx(tau * std::log(load / (load - stall_torque))).epsilon(1e-9));
+}
+
+TEST_CASE("Overload without friction drives the machine backwards, through zero once", "[mbd][stall]") {
+  const double load = 1.1 * breakdown_at_eccentric();
+  Drivetrain drivetrain(crusher_62_75(induction_450kw()));
+  Watch watch;
+  std::int64_t k = 0;
+  for (; k < 1500; ++k) watch.window(drivetrain, k, [&](double, double) { return load; });
+  CHECK(watch.changes == 1);
+  CHECK(drivetrain.state().direction == -1);
+  CHECK(drivetrain.state().speed < -1);
+  CHECK(std::abs(drivetrain.energy_residual()) < 1e-6 * drivetrain.state().start_energy);
+  for (; k < 15000; ++k) watch.window(drivetrain, k, no_rock);  // the motor brings it back
+  CHECK(watch.changes == 2);
+  CHECK(drivetrain.state().speed == Approx(160 * rpm).epsilon(1e-6));
+}
+
+TEST_CASE("Stuck is left only beyond the static friction", "[mbd][stall]") {
+  const DrivetrainParameters machine = machine_with_losses(0.2);
+  Shaft shaft(machine);
+  const double motor = 3.75 * induction_450kw().torque(0);
+  const double idle = machine.eccentric_losses().constant_torque;
+  // Forward while motor - T > T0 + f T, backward when T - motor > T0 + f T.
+  const double forward_limit = (motor - idle) / 1.2, backward_limit = (motor + idle) / 0.8;
+  const auto direction_under = [&](double torque) {
+    ShaftMotion motion;
+    shaft.turn(length, torque, motion);
+    CHECK((motion.direction == 0) == (motion.speed == 0));
+    return motion.direction;
+  };
+  CHECK(direction_under(forward_limit * (1 - 1e-9)) == +1);
+  CHECK(direction_under(forward_limit * (1 + 1e-9)) == 0);
+  CHECK(direction_under(backward_limit * (1 - 1e-9)) == 0);
+  CHECK(direction_under(backward_limit * (1 + 1e-9)) == -1);
+}
+
+TEST_CASE("Elastic cavity throws the machine back with less than it stored", "[mbd][stall]") {
+  const double stiffness = 2e6, touch = 1.0;  // [N m/rad], [rad]
+  const auto energy = [&](double angle) { return 0.5 * stiffness * std::pow(std::max(0.0, angle - touch), 2); };
+  const auto cavity = [&](double begin, double end) {
+    return begin == end ? stiffness * std::max(0.0, end - touch) : (energy(end) - energy(begin)) / (end - begin);
+  };
+  Drivetrain drivetrain(machine_with_losses(0.05));
+  Watch watch;
+  double stored = 0, backward_energy = 0;
+  for (int k = 0; k < 400; ++k) {
+    watch.window(drivetrain, k, cavity);
+    stored = std::max(stored, energy(drivetrain.state().angle));
+    if (drivetrain.state().speed < 0) backward_energy = std::max(backward_energy, drivetrain.kinetic_energy());
+  }
+  CAPTURE(stored, backward_energy, drivetrain.energy_residual());
+  CHECK(drivetrain.stalled());
+  CHECK(watch.changes == 1);
+  CHECK(drivetrain.state().angle < touch);  // out of the rock again
+  CHECK(backward_energy > 0.8 * stored);
+  CHECK(backward_energy < 0.95 * stored);  // bearings take 5 % each way, and the idle loss
+  CHECK(std::abs(drivetrain.energy_residual()) < 1e-3 * stored);
+}
+
+TEST_CASE("Machine bound to a spring rocks, comes to rest in its friction and stays", "[mbd][stall]") {
+  const double stiffness = 2e6, middle = 1.0;  // [N m/rad], [rad]
+  const auto spring = [&](double begin, double end) { return stiffness * ((begin + end) / 2 - middle); };
+  Drivetrain drivetrain(machine_with_losses(0.05));
+  Watch watch;
+  int k = 0;
+  while (k < 10000 && !drivetrain.stuck()) watch.window(drivetrain, k++, spring);
+  REQUIRE(drivetrain.stuck());
+  // Rest lies where friction covers the difference of motor and spring: |motor - T| <= T0 + f |T|.
+  const double angle = drivetrain.state().angle, torque = stiffness * (angle - middle);
+  const double motor = 3.75 * induction_450kw().torque(0);
+  CHECK(std::abs(motor - torque) < machine_with_losses(0.05).eccentric_losses().dry_torque(torque) * 1.01);
+
+  const int changes = watch.changes;
+  for (int n = 0; n < 2000; ++n) {
+    watch.window(drivetrain, k++, spring);
+    REQUIRE(drivetrain.state().speed == 0);
+    REQUIRE(drivetrain.state().angle == angle);
+  }
+  CHECK(watch.changes == changes);
+  CHECK(watch.wall_creep == 0);
+}
+
+TEST_CASE("Rigid jam that only resists: rattle falls with the window", "[mbd][stall]") {
+  // The hardest load for held values: it jumps with the direction and has no elasticity at all. The wall
+  // turns round up to two windows after the shaft, so the speed may gather three windows' impulses.
+  const double window = GENERATE(0.5e-3, 1e-3, 2e-3);
+  const double load = 1.1 * breakdown_at_eccentric();
+  const DrivetrainParameters machine = machine_with_losses(0.05);
+  Drivetrain drivetrain(machine);
+  const double motor = 3.75 * induction_450kw().torque(0);
+  const auto jam = [&](double begin, double end) { return end > begin ? load : end < begin ? -load : motor; };
+  double fastest = 0;
+  for (int k = 0; k * window < 4; ++k) {
+    const bool stalled_before = drivetrain.stalled();
+    exchange(drivetrain, window_number(k, window), jam);
+    if (stalled_before) fastest = std::max(fastest, std::abs(drivetrain.state().speed));
+  }
+  const double largest_torque = motor + load + machine.eccentric_losses().dry_torque(load);
+  const double impulse_speed = largest_torque * window / machine.effective_inertia();
+  CAPTURE(window, fastest, impulse_speed);
+  CHECK(drivetrain.stalled());
+  CHECK(fastest < 3 * impulse_speed);
+}
+
+}  // namespace gyro

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mbd/drivetrain.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace gyro {
+
+inline constexpr double rpm = std::numbers::pi / 30;  ///< [rad/s]
+
+/// The motor of the 62-75 as an induction motor: 450 kW, 600 rpm synchronous.
+inline InductionMotor induction_450kw() {
+  return {.rated_power = 450e3, .synchronous_speed = 600 * rpm, .rated_slip = 0.0167, .breakdown_ratio = 2.5};
+}
+
+/// Nordberg/Metso Superior MK-II 62-75 without losses.
+inline DrivetrainParameters crusher_62_75(const Motor& motor) {
+  return {.motor = motor, .gear_ratio = 3.75, .motor_inertia = 50, .eccentric_inertia = 5000};
+}
+
+/// Kloss motor of the analytic run-up: Tb 1000 N m, sb 0.1, 100 rad/s.
+inline InductionMotor textbook_kloss() {
+  const double ratio = 2.5, breakdown_torque = 1000, breakdown_slip = 0.1, synchronous = 100;
+  const double rated_slip = breakdown_slip / (ratio + std::sqrt(ratio * ratio - 1));
+  return {.rated_power = breakdown_torque / ratio * synchronous * (1 - rated_slip),
+          .synchronous_speed = synchronous,
+          .rated_slip = rated_slip,
+          .breakdown_ratio = ratio};
+}
+
+/// Window number k of a run in windows of equal length.
+inline Window window_number(std::int64_t k, double length, int steps = 1) {
+  return {.first_step = k * steps, .steps = steps, .dt = length / steps};
+}
+
+/// One window against `torque(begin angle, end angle)`, the rock's mean torque along the wall's path.
+template <class Torque>
+MantlePath exchange(Drivetrain& drivetrain, const Window& window, const Torque& torque) {
+  const MantlePath path = drivetrain.predict(window);
+  const double turn = path.speed * window.length();
+  const double mean = torque(path.angle, path.angle + turn);
+  drivetrain.advance(window, {.work = mean * turn, .resisting_torque = mean});
+  return path;
+}
+
+/// Runs in `count` windows that end at `end` [s].
+template <class Torque>
+void run(Drivetrain& drivetrain, double end, int count, const Torque& torque) {
+  for (int k = 0; k < count; ++k) exchange(drivetrain, window_number(k, end / count), torque);
+}
+
+inline double no_rock(double, double) {
+  return 0;
+}
+
+}  // namespace gyro
