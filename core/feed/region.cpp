@@ -82,9 +82,11 @@ Range radii_of(const std::vector<Vec3d>& polygon) {
     const double t = length2 > 0 ? std::clamp(-(a.x * ex + a.y * ey) / length2, 0.0, 1.0) : 0.0;
     r.low = std::min(r.low, std::hypot(a.x + t * ex, a.y + t * ey));
     r.high = std::max(r.high, std::hypot(a.x, a.y));
-    (a.x * b.y - a.y * b.x > 0 ? left : right) = true;
+    const double turn = a.x * b.y - a.y * b.x, rounding = 1e-12 * (r.high * r.high);
+    left = left || turn > rounding;
+    right = right || turn < -rounding;
   }
-  if (polygon.size() > 2 && left != right) r.low = 0;  // the axis pierces it
+  if (left != right) r.low = 0;  // the axis pierces it
   return r;
 }
 
