@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace gyro {
@@ -77,6 +79,13 @@ struct EnergyTerms {
   double kinetic = 0, potential = 0, contact_elastic = 0, bond_elastic = 0;
   double contact_damping = 0, friction = 0, bond_damping = 0, bond_breakage = 0;
   double wall_work = 0;
+  double exchanged = 0;  ///< energy of what was put in less that of what was taken out
+
+  /// What the balance lacks: zero up to rounding and the error of the time integration [J].
+  double residual() const {
+    return kinetic + potential + contact_elastic + bond_elastic + contact_damping + friction + bond_damping +
+           bond_breakage - wall_work - exchanged;
+  }
 };
 
 /// Extremes of the last window, for the guard.
@@ -103,6 +112,10 @@ class Dem {
   virtual void insert(std::span<const NewRock> rocks) = 0;
   /// Removes particles between windows. @param ids particles, whole fragments.
   virtual void remove(std::span<const ParticleId> ids) = 0;
+  /// Where the walls stand now. One per wall; before the first window as at time 0.
+  virtual std::vector<WallPose> wall_poses() const = 0;
+  /// Wall seconds by phase of the step, since the start.
+  virtual std::vector<std::pair<std::string, double>> phase_seconds() const = 0;
   /// Advances by one window; every wall moves as its motion says, gyrating ones along `path`.
   /// @throws StoppedByGuard if memory for contacts cannot be had
   virtual void advance(const Window& window, const MantlePath& path) = 0;

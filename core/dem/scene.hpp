@@ -88,13 +88,16 @@ struct WallPose {
   Vec3d spin{0, 0, 0};      ///< [rad/s]
 };
 
-/// Parameters of all bonds of a scene.
+/// Parameters of all bonds of a scene. k_n = normal_stiffness + normal_modulus/L0 of the bond,
+/// k_s likewise: a case gives one part or the other.
 struct BondParameters {
-  double normal_stiffness = 0;  ///< k_n, per area [Pa/m]
-  double shear_stiffness = 0;   ///< k_s, per area [Pa/m]
+  double normal_stiffness = 0;  ///< per area [Pa/m]
+  double shear_stiffness = 0;   ///< per area [Pa/m]
   double tensile_strength = 0;  ///< sigma_c [Pa]
   double shear_strength = 0;    ///< tau_c [Pa]
   double damping = 0;           ///< fraction of critical per mode of the bond [-]
+  double normal_modulus = 0;    ///< [Pa]
+  double shear_modulus = 0;     ///< [Pa]
 };
 
 /// Everything about a DEM scene that does not change while it runs.

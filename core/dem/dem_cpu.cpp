@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dem/dem_solver_impl.hpp"
+#include "core/dem/make_dem.hpp"
+#include "core/exec/cpu.hpp"
+
+namespace gyro {
+
+std::unique_ptr<Dem> make_cpu_dem(const Scene& scene, Loads loads, int threads) {
+  if (loads == Loads::single) return std::make_unique<DemSolver<Cpu, float>>(scene, Cpu(threads));
+  return std::make_unique<DemSolver<Cpu, double>>(scene, Cpu(threads));
+}
+
+}  // namespace gyro

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/contact_laws.hpp"
+#include "core/dem/dem.hpp"
+#include "core/dem/wall_surfaces.hpp"
+#include "core/kernels/accounts.hpp"
+#include "core/kernels/gather.hpp"
+#include "core/kernels/move.hpp"
+#include "core/kernels/neighbours.hpp"
+#include "core/kernels/pair_forces.hpp"
+#include "core/kernels/wall_lists.hpp"
+
+namespace gyro {
+
+/// The discrete element method on an executor (Cpu, Cuda), with the loads in Real. A step is in
+/// dem_step.hpp, the neighbour lists in dem_lists.hpp, coming and going of rock in dem_exchange.hpp,
+/// the accounts and snapshots in dem_accounts.hpp.
+template <class Exec, class Real>
+class DemSolver final : public Dem {
+ public:
+  DemSolver(Scene scene, Exec exec);
+
+  void insert(std::span<const NewRock> rocks) override;
+  void remove(std::span<const ParticleId> ids) override;
+  void advance(const Window& window, const MantlePath& path) override;
+
+  std::vector<WallPose> wall_poses() const override { return poses_now_; }
+  std::vector<WallLoad> wall_loads() const override { return wall_loads_; }
+  EnergyTerms energy() const override;
+  Extremes extremes() const override;
+  Counts counts() const override;
+  Vec3d momentum() const override;
+  ParticleSnapshot particles() const override;
+  BondSnapshot bonds() const override;
+  std::vector<Breakage> take_breakages() override { return std::exchange(breakages_, {}); }
+  std::vector<std::pair<std::string, double>> phase_seconds() const override { return exec_.timer().seconds(); }
+
+ private:
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+  template <class T>
+  using Host = std::vector<T>;
+
+  /// Neighbour lists: two of each, so that memory is carried from the old to the new.
+  struct PairLists {
+    Buffer<Pair> pairs;
+    Buffer<ContactMemory<Real>> memory;
+    Buffer<PairResult<Real>> result;
+    Buffer<std::int8_t> touching;
+    Buffer<Index> row_begin;
+    Buffer<PairEnd> ends;
+  };
+  struct WallLists {
+    Buffer<WallEntry> entries;
+    Buffer<WallMemory<Real>> memory;
+    Buffer<WallResult<Real>> result;
+    Buffer<std::int8_t> touching;
+    Buffer<WallSum> sums;
+    Buffer<Index> row_begin;
+  };
+
+  // dem_step.hpp
+  void place_walls(const Window& window, const MantlePath& path);
+  void prime();
+  void step(std::int64_t number);
+  void move();
+  void bond_forces(std::int64_t number);
+  void pair_forces();
+  void wall_forces();
+  void gather(bool kick);
+  bool lists_stale() const;
+  void close_window(const Window& window);
+
+  // dem_lists.hpp
+  void rebuild_lists();
+  Grid make_grid();
+  void sort_into_cells(Grid& grid);
+  void list_pairs(const Grid& grid);
+  void list_ends();
+  void list_walls();
+  void book_walls();
+
+  // dem_exchange.hpp
+  void append(const NewRock& rock);
+  void append_bonds(const NewRock& rock, Index first_particle);
+  void index_bonds();
+  void resize_rows();
+  void keep_particles(const Host<Index>& new_index, Index kept);
+  void keep_bonds(const Host<Index>& new_index);
+  void keep_pairs(const Host<Index>& new_index, Index kept);
+  void keep_walls(const Host<Index>& new_index, Index kept);
+
+  // dem_accounts.hpp
+  ParticleSums particle_sums() const;
+  ContactSums contact_sums() const;
+  BondSums bond_sums() const;
+  void drain_breakages(const Window& window);
+
+  ParticleView view() const;
+  BondView<Real> bond_view() const;
+  PairView<Real> pair_view(const PairLists& lists) const;
+  WallView<Real> wall_view(const WallLists& lists) const;
+  BondLaw<Real> bond_law() const;
+  Index particle_count() const { return static_cast<Index>(particles_.place.size()); }
+  bool has_bonds() const { return scene_.bonds.has_value(); }
+
+  Scene scene_;
+  mutable Exec exec_;
+  ContactLaw<Real> rock_law_;
+  Buffer<ContactLaw<Real>> wall_laws_;
+  WallSurfaces<Exec> surfaces_;
+
+  Particles<Buffer> particles_;
+  Bonds<Buffer, Real> bonds_;
+  Buffer<Block> blocks_;
+  Buffer<Index> colour_begin_;
+  Buffer<Index> bond_row_begin_, bond_row_;
+  Buffer<BreakEvent> events_;
+  Buffer<std::int32_t> flags_;  ///< stale, relist, number of events
+
+  PairLists pairs_, old_pairs_;
+  WallLists walls_, old_walls_;
+  Buffer<std::uint64_t> cell_keys_;
+  Buffer<Index> cell_sorted_, cell_begin_, counts_;
+  Buffer<std::int32_t> end_counts_;
+
+  Buffer<WallPose> pose_table_;      ///< steps + 1 rows of one pose a wall
+  const WallPose* poses_ = nullptr;  ///< row of this step
+  std::vector<WallPose> host_table_, poses_now_, poses_listed_;
+  double margin_ = 0;
+  bool listed_ = false, primed_ = false;
+
+  std::vector<WallSum> wall_sums_;  ///< of the window so far, one a wall
+  std::vector<WallLoad> wall_loads_;
+  EnergyTerms booked_;  ///< of what has left, and what events and walls added
+  Counts counts_total_;
+  std::vector<Breakage> breakages_;
+};
+
+}  // namespace gyro

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/dem_solver.hpp"
+
+// One window and one step of the DEM.
+
+namespace gyro {
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path) {
+  place_walls(window, path);
+  if (!primed_) prime();
+  const Index walls = surfaces_.count();
+  for (int k = 1; k <= window.steps; ++k) {
+    poses_ = pose_table_.data() + static_cast<std::ptrdiff_t>(k) * walls;
+    poses_now_.assign(host_table_.begin() + static_cast<std::ptrdiff_t>(k) * walls,
+                      host_table_.begin() + static_cast<std::ptrdiff_t>(k + 1) * walls);
+    step(window.first_step + k);
+  }
+  close_window(window);
+}
+
+/// Velocity Verlet; forces that depend on velocity see v(n+1/2), all others x(n+1).
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::step(std::int64_t number) {
+  move();
+  if (lists_stale()) rebuild_lists();
+  if (has_bonds()) bond_forces(number);
+  pair_forces();
+  wall_forces();
+  gather(true);
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::move() {
+  exec_.for_each("move", particle_count(),
+                 Move{view(), scene_.dt, 0.25 * margin_ * margin_, flags_.data(), has_bonds()});
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::bond_forces(std::int64_t number) {
+  const BreakLog log{events_.data(), flags_.data() + 2, flags_.data() + 1, blocks_.data()};
+  exec_.for_each_block("bond forces", blocks_.data(), static_cast<Index>(blocks_.size()), colour_begin_.data(),
+                       BondForces<Real>{view(), bond_view(), bond_law(), log, number});
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::pair_forces() {
+  const PairView<Real> pairs = pair_view(pairs_);
+  exec_.for_each("pair forces", pairs.count,
+                 PairForces<Real>{view(), pairs, has_bonds() ? bonds_.state.data() : nullptr, rock_law_});
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::wall_forces() {
+  const WallView<Real> walls = wall_view(walls_);
+  exec_.for_each("wall forces", walls.count, WallForces<Real>{view(), walls, wall_laws_.data(), scene_.dt});
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::gather(bool kick) {
+  exec_.for_each(
+      "gather", particle_count(),
+      Gather<Real>{view(), pair_view(pairs_), wall_view(walls_), scene_.gravity, scene_.dt, has_bonds(), kick});
+}
+
+/// Loads at the very start, so that the first half kick is a real one.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::prime() {
+  primed_ = true;
+  rebuild_lists();
+  if (has_bonds()) bond_forces(0);
+  pair_forces();
+  wall_forces();
+  gather(false);
+  book_walls();
+  wall_sums_.assign(wall_sums_.size(), WallSum{});  // no time has passed: nothing was done
+  booked_.exchanged += contact_sums().elastic + bond_sums().elastic;
+}
+
+/// Poses of all walls for each step of the window, so that nothing is asked of the host inside it.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::place_walls(const Window& window, const MantlePath& path) {
+  const std::size_t count = scene_.walls.size();
+  host_table_.resize(count * static_cast<std::size_t>(window.steps + 1));
+  for (int k = 0; k <= window.steps; ++k)
+    for (std::size_t w = 0; w < count; ++w)
+      host_table_[static_cast<std::size_t>(k) * count + w] = pose_of(
+          scene_.walls[w], static_cast<double>(window.first_step + k) * window.dt, mantle_at(path, k * window.dt));
+  Exec::upload(pose_table_, host_table_);
+  poses_ = pose_table_.data();
+  poses_now_.assign(host_table_.begin(), host_table_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+/// Whether a particle or a wall has gone further than half the margin, or a rock has just cracked.
+template <class Exec, class Real>
+bool DemSolver<Exec, Real>::lists_stale() const {
+  const auto& flags = Exec::host(flags_);
+  if (!listed_ || flags[0] != 0 || flags[1] != 0) return true;
+  for (std::size_t w = 0; w < poses_now_.size(); ++w) {
+    const WallPose &a = poses_listed_[w], &b = poses_now_[w];
+    const Quatd turned = b.turn * conjugate(a.turn);
+    const double angle = 2 * norm(Vec3d{turned.x, turned.y, turned.z});
+    const double way = norm(b.origin - a.origin) + (angle > 0 ? surfaces_.extent(w) * 1.6 * angle : 0.0);
+    if (way > 0.5 * margin_) return true;
+  }
+  return false;
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::close_window(const Window& window) {
+  book_walls();
+  for (std::size_t w = 0; w < wall_sums_.size(); ++w) {
+    const WallSum& s = wall_sums_[w];
+    const double mean = wall_quantum / window.length();
+    wall_loads_[w].force = mean * Vec3d{double(s.force[0]), double(s.force[1]), double(s.force[2])};
+    wall_loads_[w].moment = mean * Vec3d{double(s.moment[0]), double(s.moment[1]), double(s.moment[2])};
+    wall_loads_[w].work = wall_quantum * static_cast<double>(s.work);
+    booked_.wall_work += wall_loads_[w].work;
+    wall_sums_[w] = WallSum{};
+  }
+  counts_total_.particle_steps += std::int64_t{particle_count()} * window.steps;
+  counts_total_.bond_steps += counts_total_.bonds_intact * window.steps;
+  drain_breakages(window);
+}
+
+}  // namespace gyro

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/exec/pack_lanes.hpp"
+#include "core/exec/phase_timer.hpp"
+#include "core/state/bonds.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace gyro {
+
+/// The CPU executor: OpenMP threads and packs. An executor is the only thing that the solver's loops
+/// know of a machine; gpu/ has its twin. Contract of each operation:
+///
+///   for_each(label, n, kernel)      kernel(i) for i in [0, n), any order; no two calls write the same
+///   for_each_block(label, n, ...)   BondForces over the bonds of each block, in the bonds' order
+///   reduce(label, n, map)           sum of map(i), added in a fixed order
+///   exclusive_scan(n, counts)       in place, n + 1 numbers; returns the total
+///   sort_by_key(keys, values)       stable
+///
+/// Labels name the phases of a step for timers and profilers.
+class Cpu {
+ public:
+  template <class T>
+  using Buffer = std::vector<T>;
+
+  explicit Cpu(int threads) : threads_(std::max(1, threads)) {}
+
+  int threads() const { return threads_; }
+  PhaseTimer& timer() { return timer_; }
+  const PhaseTimer& timer() const { return timer_; }
+
+  template <class Kernel>
+  void for_each(const char* label, Index n, const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    if (n < inline_limit || threads_ == 1) {
+      for (Index i = 0; i < n; ++i) kernel(i);
+    } else {
+#pragma omp parallel for schedule(static) num_threads(threads_)
+      for (Index i = 0; i < n; ++i) kernel(i);
+    }
+    timer_.end(mark);
+  }
+
+  /// @param kernel  BondForces or another kernel over the bonds of a block
+  template <class Kernel>
+  void for_each_block(const char* label, const Block* blocks, Index n, const Index* colour_begin,
+                      const Kernel& kernel) {
+    (void)colour_begin;  // the order of the bonds is enough for one thread
+    const PhaseTimer::Mark mark = timer_.begin(label);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_)
+    for (Index k = 0; k < n; ++k) {
+      const Block block = blocks[k];
+      for (Index p = block.first_particle; p < block.end_particle; ++p) kernel.clear(p);
+      for (Index b = block.first_bond; b < block.end_bond; b += bond_alignment) kernel(PackLanes<bond_alignment>{b}, k);
+    }
+    timer_.end(mark);
+  }
+
+  template <class T, class Map>
+  T reduce(const char* label, Index n, const Map& map) {
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    const Index chunks = (n + chunk - 1) / chunk;
+    std::vector<T> part(static_cast<std::size_t>(chunks));
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= inline_limit)
+    for (Index c = 0; c < chunks; ++c) {
+      T sum{};
+      for (Index i = c * chunk; i < std::min(n, (c + 1) * chunk); ++i) sum = sum + map(i);
+      part[static_cast<std::size_t>(c)] = sum;
+    }
+    T total{};
+    for (const T& p : part) total = total + p;
+    timer_.end(mark);
+    return total;
+  }
+
+  static Index exclusive_scan(Index n, Index* counts) {
+    Index sum = 0;
+    for (Index i = 0; i <= n; ++i) {
+      const Index count = i < n ? counts[i] : 0;
+      counts[i] = sum;
+      sum += count;
+    }
+    return sum;
+  }
+
+  /// Orders values by key, equal keys in their old order. Byte-wise radix sort that skips bytes in
+  /// which all keys agree.
+  void sort_by_key(Buffer<std::uint64_t>& keys, Buffer<Index>& values) {
+    const std::size_t n = keys.size();
+    spare_keys_.resize(n);
+    spare_values_.resize(n);
+    for (int shift = 0; shift < 64; shift += 8) {
+      std::size_t count[257] = {};
+      for (const std::uint64_t key : keys) ++count[((key >> shift) & 255) + 1];
+      if (std::any_of(count + 1, count + 257, [n](std::size_t c) { return c == n; })) continue;
+      std::partial_sum(count, count + 257, count);
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t to = count[(keys[i] >> shift) & 255]++;
+        spare_keys_[to] = keys[i];
+        spare_values_[to] = values[i];
+      }
+      keys.swap(spare_keys_);
+      values.swap(spare_values_);
+    }
+  }
+
+  /// Host copy of a buffer, and back. On this executor both live in the same memory.
+  template <class T>
+  static const std::vector<T>& host(const Buffer<T>& buffer) {
+    return buffer;
+  }
+  template <class T>
+  static void upload(Buffer<T>& buffer, std::vector<T> values) {
+    buffer = std::move(values);
+  }
+
+ private:
+  static constexpr Index inline_limit = 1000;  // below, waking threads costs more than they save
+  static constexpr Index chunk = 1024;
+
+  int threads_;
+  PhaseTimer timer_;
+  Buffer<std::uint64_t> spare_keys_;
+  Buffer<Index> spare_values_;
+};
+
+}  // namespace gyro

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/exec/lanes.hpp"
+#include "core/kernels/bond_forces.hpp"
+#include "core/kernels/wall_forces.hpp"
+#include "core/laws/hertz_mindlin.hpp"
+#include "core/state/contacts.hpp"
+#include "core/state/particles.hpp"
+#include "core/state/walls.hpp"
+
+// What the ledger adds up: maps for Exec::reduce. No kernel of the step depends on them.
+
+namespace gyro {
+
+/// Sums over particles.
+struct ParticleSums {
+  double kinetic = 0, potential = 0;
+  Vec3d momentum{0, 0, 0};
+  Losses lost;
+  double overspeed = 0;  ///< largest v dt / R
+  double turn = 0;       ///< largest w dt
+  std::int64_t not_finite = 0;
+  ParticleId culprit = 0;  ///< lowest id that is not finite
+
+  friend ParticleSums operator+(const ParticleSums& a, const ParticleSums& b) {
+    ParticleSums s;
+    s.kinetic = a.kinetic + b.kinetic;
+    s.potential = a.potential + b.potential;
+    s.momentum = a.momentum + b.momentum;
+    s.lost = {a.lost.bond_damping + b.lost.bond_damping, a.lost.bond_slip + b.lost.bond_slip,
+              a.lost.contact_damping + b.lost.contact_damping, a.lost.contact_slip + b.lost.contact_slip};
+    s.overspeed = larger(a.overspeed, b.overspeed);
+    s.turn = larger(a.turn, b.turn);
+    s.not_finite = a.not_finite + b.not_finite;
+    s.culprit = a.not_finite ? a.culprit : b.culprit;
+    return s;
+  }
+};
+
+struct SumParticles {
+  ParticleView p;
+  Vec3d gravity;
+  double dt;
+
+  GYRO_HD ParticleSums operator()(Index n) const {
+    const Sphere place = p.place[n];
+    const Motion motion = p.motion[n];
+    const Spin spin = p.spin[n];
+    ParticleSums s;
+    s.kinetic = 0.5 * (motion.mass * norm2(motion.v) + spin.inertia * norm2(spin.w));
+    s.potential = -motion.mass * dot(gravity, place.x);
+    s.momentum = motion.mass * motion.v;
+    s.lost = p.losses[n];
+    s.overspeed = norm(motion.v) * dt / place.radius;
+    s.turn = norm(spin.w) * dt;
+    const double all = norm2(place.x) + norm2(motion.v) + norm2(spin.w);
+    if (!(all < 1e300)) {
+      s.not_finite = 1;
+      s.culprit = p.id[n];
+    }
+    return s;
+  }
+};
+
+/// Elastic energy and the largest overlap of contacts.
+struct ContactSums {
+  double elastic = 0, overlap_ratio = 0;
+  ParticleId culprit = 0;  ///< one of the two of the largest overlap
+
+  friend ContactSums operator+(const ContactSums& a, const ContactSums& b) {
+    const bool first = a.overlap_ratio >= b.overlap_ratio;
+    return ContactSums{a.elastic + b.elastic, first ? a.overlap_ratio : b.overlap_ratio, first ? a.culprit : b.culprit};
+  }
+};
+
+template <class Real>
+struct SumPairs {
+  ParticleView p;
+  PairView<Real> pairs;
+  ContactLaw<Real> law;
+
+  GYRO_HD ContactSums operator()(Index n) const {
+    if (!pairs.touching[n]) return {};
+    const Pair pair = pairs.pairs[n];
+    const double a = p.place[pair.i].radius, b = p.place[pair.j].radius;
+    const ContactMemory<Real> m = pairs.memory[n];
+    const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
+    return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.force)), ratio,
+            p.id[pair.i]};
+  }
+};
+
+template <class Real>
+struct SumWallContacts {
+  ParticleView p;
+  WallView<Real> walls;
+  const ContactLaw<Real>* laws;
+
+  GYRO_HD ContactSums operator()(Index n) const {
+    ContactSums s;
+    if (!walls.touching[n]) return s;
+    const WallEntry entry = walls.entries[n];
+    const Sphere place = p.place[entry.particle];
+    const WallTouches touches = touches_now(entry, place);
+    for (int k = 0; k < walls.memory[n].count; ++k) {
+      const ContactMemory<Real> m = walls.memory[n].contact[k];
+      const double weight = k < touches.count ? touches.touch[k].weight : 0;
+      s = s + ContactSums{weight * static_cast<double>(contact_energy(laws[entry.wall], static_cast<Real>(place.radius),
+                                                                      m.overlap, m.force)),
+                          static_cast<double>(m.overlap) / place.radius, p.id[entry.particle]};
+    }
+    return s;
+  }
+
+ private:
+  GYRO_HD WallTouches touches_now(const WallEntry& entry, const Sphere& place) const {
+    const Vec3d centre = to_body(walls.poses[entry.wall], place.x);
+    return touch_wall(walls.surfaces[entry.wall], entry.range, centre, place.radius);
+  }
+};
+
+/// Elastic energy and count of the bonds.
+struct BondSums {
+  double elastic = 0;
+  std::int64_t intact = 0;
+  friend BondSums operator+(const BondSums& a, const BondSums& b) {
+    return {a.elastic + b.elastic, a.intact + b.intact};
+  }
+};
+
+/// Loads of one bond, outside a step.
+template <class Real>
+GYRO_HD BondLoad<Real> bond_load_now(const ParticleView& p, const BondView<Real>& b, const BondLaw<Real>& law,
+                                     Index n) {
+  const BondLanes<Real, OneLane> bond(OneLane{n}, p, b);
+  return b.state[n] == bond_glued ? bond_load(law, bond.section, bond.strain_r, bond.rates)
+                                  : unglued_load(law, bond.section, bond.strain_r, bond.rates).load;
+}
+
+template <class Real>
+struct SumBonds {
+  ParticleView p;
+  BondView<Real> b;
+  BondLaw<Real> law;
+
+  GYRO_HD BondSums operator()(Index n) const {
+    if (b.state[n] == bond_gone) return {};
+    return {static_cast<double>(bond_load_now(p, b, law, n).elastic), b.state[n] == bond_glued ? 1 : 0};
+  }
+};
+
+/// Adds up what the entries of one wall have booked.
+template <class Real>
+struct SumWall {
+  WallView<Real> walls;
+  Index wall;
+
+  GYRO_HD WallSum operator()(Index n) const { return walls.entries[n].wall == wall ? walls.sums[n] : WallSum{}; }
+};
+
+inline WallSum operator+(const WallSum& a, const WallSum& b) {
+  WallSum s;
+  for (int k = 0; k < 3; ++k) {
+    s.force[k] = a.force[k] + b.force[k];
+    s.moment[k] = a.moment[k] + b.moment[k];
+  }
+  s.work = a.work + b.work;
+  return s;
+}
+
+/// Clears what the entries have booked.
+template <class Real>
+struct ClearWallSums {
+  WallView<Real> walls;
+  GYRO_HD void operator()(Index n) const { walls.sums[n] = WallSum{}; }
+};
+
+}  // namespace gyro

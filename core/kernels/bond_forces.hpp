@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/shared_counter.hpp"
+#include "core/exec/lanes.hpp"
+#include "core/laws/bond.hpp"
+#include "core/state/bonds.hpp"
+#include "core/state/particles.hpp"
+
+namespace gyro {
+
+/// Where failing bonds are noted.
+struct BreakLog {
+  BreakEvent* events;
+  std::int32_t* count;
+  std::int32_t* relist;  ///< set to 1 when the first bond of a block fails: its particles may now touch
+  Block* blocks;
+};
+
+/// Strain, rates and section of the bonds of some lanes; the only place that knows how they lie in
+/// memory. Lanes are a pack of bonds (CPU) or one bond (a GPU thread).
+template <class Real, class Lanes>
+struct BondLanes {
+  using D = typename Lanes::template Number<double>;
+  using R = typename Lanes::template Number<Real>;
+  BondShape<D> shape;
+  BondEnds<D> ends;
+  BondStrain<D> strain;
+  BondStrain<R> strain_r;
+  BondRates<R> rates;
+  BondSection<R> section;
+
+  GYRO_HD BondLanes(const Lanes& lanes, const ParticleView& p, const BondView<Real>& b) {
+    const auto i = lanes.load(b.i), j = lanes.load(b.j);
+    const R arm = lanes.load(b.arm);
+    const D length = lanes.load(b.length);
+    shape = {lanes.template cast<double>(Vec3<R>{lanes.load(b.axis_x), lanes.load(b.axis_y), lanes.load(b.axis_z)}),
+             length, lanes.template cast<double>(arm)};
+    ends = {lanes.vector(p.place, j) - lanes.vector(p.place, i), lanes.quaternion(p.turn, i),
+            lanes.quaternion(p.turn, j)};
+    strain = bond_strain(shape, ends);
+    strain_r = {lanes.template cast<Real>(strain.normal),  lanes.template cast<Real>(strain.length),
+                lanes.template cast<Real>(strain.stretch), lanes.template cast<Real>(strain.along),
+                lanes.template cast<Real>(strain.shear),   lanes.template cast<Real>(strain.twist),
+                lanes.template cast<Real>(strain.bend)};
+    rates = {lanes.template cast<Real>(lanes.vector(p.motion, j) - lanes.vector(p.motion, i)),
+             lanes.template cast<Real>(lanes.vector(p.spin, i)), lanes.template cast<Real>(lanes.vector(p.spin, j))};
+    section = {lanes.load(b.radius),
+               lanes.load(b.strength),
+               lanes.load(b.sqrt_mass),
+               lanes.load(b.sqrt_inertia),
+               arm,
+               lanes.template cast<Real>(length)};
+  }
+};
+
+/// Forces of the bonds of one block, added to the rows of its particles bond by bond, and failure:
+/// every bond is judged on the state that all of them saw and changes its own state only.
+template <class Real>
+struct BondForces {
+  ParticleView p;
+  BondView<Real> b;
+  BondLaw<Real> law;
+  BreakLog log;
+  std::int64_t step;
+
+  /// Clears the rows of a particle before the bonds add to them.
+  GYRO_HD void clear(Index particle) const { p.bond_load[particle] = Load{}; }
+
+  template <class Lanes>
+  GYRO_HD void operator()(const Lanes& lanes, Index block) const {
+    using R = typename Lanes::template Number<Real>;
+    const auto state = lanes.load(b.state);
+    if (!lanes.any_below(state, bond_gone)) return;
+    const BondLanes<Real, Lanes> bond(lanes, p, b);
+    const BondLaw<R> constants = lanes.spread(law);
+
+    BondLoad<R> load = bond_load(constants, bond.section, bond.strain_r, bond.rates);
+    R slip_work(0);
+    const auto glued = lanes.template equal<Real>(state, bond_glued);
+    const auto broken = glued & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
+    if (lanes.any(broken)) note_failures(lanes, block, bond, load, broken, constants);
+    if (lanes.any_below_and_not(state, bond_gone, bond_glued)) {
+      const auto unglued = unglued_load(constants, bond.section, bond.strain_r, bond.rates);
+      take(load, glued, unglued.load);
+      slip_work = select(glued, R(0), unglued.slip_work);
+      slip_and_part(lanes, bond, unglued.keep, state);
+    }
+    lanes.add(p.bond_load, lanes.load(b.i), lanes.load(b.j), state, load, slip_work);
+  }
+
+ private:
+  template <class R, class Mask>
+  GYRO_HD static void take(BondLoad<R>& load, const Mask& glued, const BondLoad<R>& other) {
+    load.force = select3(glued, load.force, other.force);
+    load.moment_i = select3(glued, load.moment_i, other.moment_i);
+    load.moment_j = select3(glued, load.moment_j, other.moment_j);
+    load.damped = select(glued, load.damped, other.damped);
+  }
+  template <class R, class Mask>
+  GYRO_HD static Vec3<R> select3(const Mask& m, const Vec3<R>& a, const Vec3<R>& c) {
+    return {select(m, a.x, c.x), select(m, a.y, c.y), select(m, a.z, c.z)};
+  }
+
+  /// A failing bond keeps its normal spring while its ends are pressed together; what else it stored
+  /// is released.
+  template <class Lanes, class R, class Mask>
+  GYRO_HD void note_failures(const Lanes& lanes, Index block, const BondLanes<Real, Lanes>& bond,
+                             const BondLoad<R>& load, const Mask& broken, const BondLaw<R>& constants) const {
+    const auto after = unglued_load(constants, bond.section, bond.strain_r, bond.rates);
+    for (int lane = 0; lane < Lanes::count; ++lane) {
+      if (!lanes.test(broken, lane)) continue;
+      const Index n = lanes.index(lane);
+      const Real tension = lanes.value(load.tension_ratio, lane), shear = lanes.value(load.shear_ratio, lane);
+      const bool apart = separated(n, lanes.value(bond.strain.length, lane));
+      const double kept = apart ? 0 : static_cast<double>(lanes.value(after.load.elastic, lane));
+      const double stored = static_cast<double>(lanes.value(load.elastic, lane));
+      b.state[n] = apart ? bond_gone : bond_unglued;
+      log.events[take_number(log.count)] = {step, n, tension >= shear ? 1 : 2, stored - kept};
+      if (log.blocks[block].state == block_intact) {
+        log.blocks[block].state = block_broken;
+        raise_flag(log.relist);
+      }
+      if (!apart) slip(lanes, bond, after.keep, lane);
+    }
+  }
+
+  template <class Lanes, class R, class State>
+  GYRO_HD void slip_and_part(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, const R& keep,
+                             const State& state) const {
+    for (int lane = 0; lane < Lanes::count; ++lane) {
+      if (lanes.value(state, lane) != bond_unglued) continue;
+      if (separated(lanes.index(lane), lanes.value(bond.strain.length, lane)))
+        b.state[lanes.index(lane)] = bond_gone;
+      else
+        slip(lanes, bond, keep, lane);
+    }
+  }
+
+  GYRO_HD bool separated(Index n, double distance) const {
+    const double touch = p.place[b.i[n]].radius + p.place[b.j[n]].radius;
+    return distance > b.length[n] && distance > touch;
+  }
+
+  /// Turns the axis of an unglued bond by what slipped (one lane, rare: scalar).
+  template <class Lanes, class R>
+  GYRO_HD void slip(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, const R& keep, int lane) const {
+    const double left = static_cast<double>(lanes.value(keep, lane));
+    if (left >= 1) return;
+    const Index n = lanes.index(lane), i = b.i[n], j = b.j[n];
+    const BondShape<double> shape{
+        {static_cast<double>(b.axis_x[n]), static_cast<double>(b.axis_y[n]), static_cast<double>(b.axis_z[n])},
+        b.length[n],
+        static_cast<double>(b.arm[n])};
+    const BondEnds<double> ends{p.place[j].x - p.place[i].x, p.turn[i], p.turn[j]};
+    (void)bond;
+    const Vec3d axis = slipped_axis(shape, ends, bond_strain(shape, ends), left);
+    b.axis_x[n] = static_cast<Real>(axis.x);
+    b.axis_y[n] = static_cast<Real>(axis.y);
+    b.axis_z[n] = static_cast<Real>(axis.z);
+  }
+};
+
+}  // namespace gyro

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/state/particles.hpp"
+
+namespace gyro {
+
+/// One level of the search grid: cells for the spheres whose radius lies between half `radius` and
+/// `radius`. The table of cells is a torus: a cell's place is its coordinate modulo a power of two, so
+/// that one sphere a kilometre away neither makes the table large nor the search slow. Spheres that
+/// share a place without being neighbours are told apart by their distance.
+struct GridLevel {
+  double radius;                 ///< largest radius of the level [m]
+  double cell;                   ///< edge of a cell, at least 2 radius + margin [m]
+  Index mask_x, mask_y, mask_z;  ///< cells in each direction - 1; at least 3, so that neighbours differ
+  Index first_cell;              ///< of the level in the table
+};
+
+struct CellCoordinate {
+  std::int64_t x, y, z;
+};
+
+/// All levels, coarse to fine; level l holds the radii (largest 2^-(l+1), largest 2^-l].
+struct Grid {
+  static constexpr int most_levels = 12;
+  GridLevel level[most_levels];
+  int levels;
+  Index cells;        ///< of all levels
+  Index* cell_begin;  ///< into `sorted`, cells + 1 numbers
+  Index* sorted;      ///< particles by cell, then in their order
+
+  GYRO_HD int level_of(double radius) const {
+    int l = 0;
+    while (l + 1 < levels && radius <= level[l + 1].radius) ++l;
+    return l;
+  }
+  GYRO_HD static CellCoordinate coordinate(const GridLevel& g, const Vec3d& x) {
+    return {static_cast<std::int64_t>(::floor(x.x / g.cell)), static_cast<std::int64_t>(::floor(x.y / g.cell)),
+            static_cast<std::int64_t>(::floor(x.z / g.cell))};
+  }
+  GYRO_HD static Index place(const GridLevel& g, std::int64_t x, std::int64_t y, std::int64_t z) {
+    const Index ix = static_cast<Index>(x & g.mask_x), iy = static_cast<Index>(y & g.mask_y),
+                iz = static_cast<Index>(z & g.mask_z);
+    return g.first_cell + (iz * (g.mask_y + 1) + iy) * (g.mask_x + 1) + ix;
+  }
+};
+
+/// Cell of each particle, as a key to sort by.
+struct CellKeys {
+  ParticleView p;
+  Grid grid;
+  std::uint64_t* keys;
+  Index* values;
+
+  GYRO_HD void operator()(Index n) const {
+    const Sphere place = p.place[n];
+    const GridLevel& g = grid.level[grid.level_of(place.radius)];
+    const CellCoordinate c = Grid::coordinate(g, place.x);
+    keys[n] = static_cast<std::uint64_t>(Grid::place(g, c.x, c.y, c.z));
+    values[n] = n;
+  }
+};
+
+/// First particle of every cell, from the sorted keys.
+struct CellBegins {
+  const std::uint64_t* keys;
+  Index count, cells;
+  Index* cell_begin;
+
+  GYRO_HD void operator()(Index n) const {  // n in [0, count]
+    const Index here = n < count ? static_cast<Index>(keys[n]) : cells;
+    const Index before = n > 0 ? static_cast<Index>(keys[n - 1]) : -1;
+    for (Index c = before + 1; c <= here; ++c) cell_begin[c] = n;
+  }
+};
+
+}  // namespace gyro

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/shared_counter.hpp"
+#include "core/state/particles.hpp"
+
+namespace gyro {
+
+/// First half of a velocity Verlet step: half a kick with the loads of the last step, then a drift.
+/// Until Gather has given the second half, the velocities are those of mid-step: forces that depend
+/// on them see v(n+1/2).
+struct Move {
+  ParticleView p;
+  double dt;            ///< [s]
+  double allowed2;      ///< square of the way a particle may go before lists are stale [m2]
+  std::int32_t* stale;  ///< set to 1 by any particle that went further
+  bool with_turn;
+
+  GYRO_HD void operator()(Index n) const {
+    Sphere place = p.place[n];
+    Motion motion = p.motion[n];
+    Spin spin = p.spin[n];
+    const Load load = p.load[n];
+
+    motion.v += (0.5 * dt / motion.mass) * load.force;
+    spin.w += (0.5 * dt / spin.inertia) * load.moment;
+    place.x += dt * motion.v;
+    if (with_turn) p.turn[n] = turned(p.turn[n], spin.w, dt);
+
+    p.motion[n] = motion;
+    p.spin[n] = spin;
+    p.place[n] = place;
+    if (norm2(place.x - p.listed_at[n]) > allowed2) raise_flag(stale);
+  }
+};
+
+}  // namespace gyro

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/shared_counter.hpp"
+#include "core/kernels/grid.hpp"
+#include "core/state/bonds.hpp"
+#include "core/state/contacts.hpp"
+
+namespace gyro {
+
+/// Bonds by particle.
+struct BondRows {
+  const Index* begin;  ///< null without bonds
+  const Index* bond;
+};
+
+/// Finds the pairs of a particle with those of its own level that have a higher id and with all of
+/// coarser levels: every pair of the scene once.
+struct FindPairs {
+  ParticleView p;
+  Grid grid;
+  const Block* blocks;
+  const std::int32_t* bond_state;
+  const Index *bond_i, *bond_j;
+  BondRows bond_rows;
+  double margin;
+  Index* counts;  ///< counting run: pairs of each particle; filling run: first pair of each
+  Pair* pairs;    ///< null in the counting run
+
+  GYRO_HD void operator()(Index n) const {
+    const Sphere place = p.place[n];
+    const int own = grid.level_of(place.radius);
+    Index found = 0;
+    for (int l = 0; l <= own; ++l) {
+      const GridLevel& g = grid.level[l];
+      const CellCoordinate c = Grid::coordinate(g, place.x);
+      for (int dz = -1; dz <= 1; ++dz)
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            const Index cell = Grid::place(g, c.x + dx, c.y + dy, c.z + dz);
+            for (Index s = grid.cell_begin[cell]; s < grid.cell_begin[cell + 1]; ++s)
+              look_at(n, place, grid.sorted[s], l == own, found);
+          }
+    }
+    if (pairs == nullptr) counts[n] = found;
+  }
+
+ private:
+  GYRO_HD void look_at(Index n, const Sphere& place, Index other, bool same_level, Index& found) const {
+    if (other == n || (same_level && p.id[other] < p.id[n])) return;
+    const Sphere partner = p.place[other];
+    const double reach = place.radius + partner.radius + margin;
+    if (norm2(partner.x - place.x) >= reach * reach) return;
+    Index bond = none;
+    if (blocks != nullptr && p.block[n] == p.block[other] && p.block[n] != none) {
+      if (blocks[p.block[n]].state == block_intact) return;
+      bond = bond_between(n, other);
+    }
+    if (pairs != nullptr) {
+      const bool lower = p.id[n] < p.id[other];
+      pairs[counts[n] + found] = {lower ? n : other, lower ? other : n, bond};
+    }
+    ++found;
+  }
+
+  GYRO_HD Index bond_between(Index n, Index other) const {
+    if (bond_rows.begin == nullptr) return none;
+    for (Index k = bond_rows.begin[n]; k < bond_rows.begin[n + 1]; ++k) {
+      const Index b = bond_rows.bond[k];
+      const Index partner = bond_i[b] == n ? bond_j[b] : bond_i[b];
+      if (partner == other) return bond_state[b] == bond_gone ? none : b;
+    }
+    return none;
+  }
+};
+
+/// Counts or enters the two ends of each pair in the rows of its particles.
+struct EnterEnds {
+  const Pair* pairs;
+  std::int32_t* counts;    ///< counting run: ends of each particle; filling run: ends entered so far
+  const Index* row_begin;  ///< null in the counting run
+  PairEnd* ends;
+
+  GYRO_HD void operator()(Index n) const {
+    enter(pairs[n].i, n, 0);
+    enter(pairs[n].j, n, 1);
+  }
+
+ private:
+  GYRO_HD void enter(Index particle, Index pair, std::int32_t side) const {
+    const std::int32_t place = take_number(&counts[particle]);
+    if (row_begin != nullptr) ends[row_begin[particle] + place] = {pair, side};
+  }
+};
+
+/// Puts the ends of a particle in order of the partner's id: the order of its sum.
+struct SortRow {
+  ParticleView p;
+  const Pair* pairs;
+  const Index* row_begin;
+  PairEnd* ends;
+
+  GYRO_HD void operator()(Index n) const {
+    for (Index a = row_begin[n] + 1; a < row_begin[n + 1]; ++a) {
+      const PairEnd moved = ends[a];
+      const ParticleId id = partner(moved);
+      Index b = a;
+      for (; b > row_begin[n] && partner(ends[b - 1]) > id; --b) ends[b] = ends[b - 1];
+      ends[b] = moved;
+    }
+  }
+
+ private:
+  GYRO_HD ParticleId partner(const PairEnd& e) const { return p.id[e.side == 0 ? pairs[e.pair].j : pairs[e.pair].i]; }
+};
+
+/// Brings the memory of touching contacts over from the old lists.
+template <class Real>
+struct CarryMemory {
+  PairView<Real> now, old;
+
+  GYRO_HD void operator()(Index n) const {
+    now.memory[n] = {};
+    now.touching[n] = 0;
+    const Pair pair = now.pairs[n];
+    for (Index e = old.row_begin[pair.i]; e < old.row_begin[pair.i + 1]; ++e) {
+      const Index m = old.ends[e].pair;
+      if (old.pairs[m].i != pair.i || old.pairs[m].j != pair.j) continue;
+      now.memory[n] = old.memory[m];
+      now.touching[n] = old.touching[m];
+      return;
+    }
+  }
+};
+
+/// Notes where the particles are, to know when the lists are stale.
+struct NotePlaces {
+  ParticleView p;
+  GYRO_HD void operator()(Index n) const { p.listed_at[n] = p.place[n].x; }
+};
+
+}  // namespace gyro

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/laws/hertz_mindlin.hpp"
+#include "core/state/bonds.hpp"
+#include "core/state/contacts.hpp"
+#include "core/state/particles.hpp"
+
+namespace gyro {
+
+/// Contact of two particles: force into the pair's own slot.
+template <class Real>
+struct PairForces {
+  ParticleView p;
+  PairView<Real> pairs;
+  const std::int32_t* bond_state;  ///< null without bonds
+  ContactLaw<Real> law;
+
+  GYRO_HD void operator()(Index n) const {
+    const Pair pair = pairs.pairs[n];
+    const Sphere a = p.place[pair.i], b = p.place[pair.j];
+    const Vec3d span = b.x - a.x;
+    const double sum = a.radius + b.radius, distance2 = norm2(span);
+    const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_gone;
+    if (distance2 >= sum * sum || bonded) {
+      if (pairs.touching[n]) {
+        pairs.touching[n] = 0;
+        pairs.memory[n] = {};
+      }
+      return;
+    }
+    pairs.touching[n] = 1;
+    evaluate(n, pair, a, b, span, ::sqrt(distance2));
+  }
+
+ private:
+  GYRO_HD void evaluate(Index n, const Pair& pair, const Sphere& a, const Sphere& b, const Vec3d& span,
+                        double distance) const {
+    const Motion va = p.motion[pair.i], vb = p.motion[pair.j];
+    const Spin wa = p.spin[pair.i], wb = p.spin[pair.j];
+    const double overlap = a.radius + b.radius - distance;
+    const double arm_a = a.radius - 0.5 * overlap, arm_b = b.radius - 0.5 * overlap;
+    const Vec3d normal = (1 / distance) * span;
+
+    ContactMotion<Real> c;
+    c.normal = cast<Real>(normal);
+    c.overlap = static_cast<Real>(overlap);
+    c.velocity = cast<Real>(va.v - vb.v + cross(arm_a * wa.w + arm_b * wb.w, normal));
+    c.spin = cast<Real>(wa.w - wb.w);
+    c.radius = static_cast<Real>(a.radius * b.radius / (a.radius + b.radius));
+    c.mass = static_cast<Real>(va.mass * vb.mass / (va.mass + vb.mass));
+    c.inertia = static_cast<Real>(wa.inertia * wb.inertia / (wa.inertia + wb.inertia));
+
+    const ContactMemory<Real> memory = pairs.memory[n];
+    const ContactLoad<Real> load = hertz_mindlin(law, c, memory.force, memory.overlap);
+
+    const Vec3<Real> lever = cross(c.normal, load.force);
+    pairs.memory[n] = {load.elastic, c.overlap};
+    pairs.result[n] = {load.force, static_cast<Real>(arm_a) * lever + load.couple,
+                       static_cast<Real>(arm_b) * lever - load.couple, load.damped, load.slipped};
+  }
+};
+
+}  // namespace gyro

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/laws/hertz_mindlin.hpp"
+#include "core/state/particles.hpp"
+#include "core/state/walls.hpp"
+#include "core/walls/motion.hpp"
+
+namespace gyro {
+
+/// Touches of a sphere with a wall of any kind. Body frame in, body frame out.
+GYRO_HD inline WallTouches touch_wall(const WallSurface& surface, const SegmentRange& range, const Vec3d& centre,
+                                      double radius) {
+  if (surface.kind == WallKind::plane) return touch_plane(surface.plane.point, surface.plane.normal, centre, radius);
+  if (surface.kind == WallKind::profile) return touch_profile(surface.profile, range, centre, radius);
+  return touch_mesh(surface.mesh, centre, radius);
+}
+
+/// Contact of a particle with a rigid wall: force into the entry's own slot, load of the wall into
+/// the entry's exact sums.
+template <class Real>
+struct WallForces {
+  ParticleView p;
+  WallView<Real> walls;
+  const ContactLaw<Real>* laws;  ///< of rock against each wall
+  double dt;
+
+  GYRO_HD void operator()(Index n) const {
+    const WallEntry entry = walls.entries[n];
+    const Sphere place = p.place[entry.particle];
+    const WallPose pose = walls.poses[entry.wall];
+    const WallTouches touches =
+        touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, place.x), place.radius);
+    if (touches.count == 0) {
+      if (walls.touching[n]) {
+        walls.touching[n] = 0;
+        walls.memory[n].count = 0;
+      }
+      return;
+    }
+    walls.touching[n] = 1;
+    evaluate(n, entry, place, pose, touches);
+  }
+
+ private:
+  GYRO_HD void evaluate(Index n, const WallEntry& entry, const Sphere& place, const WallPose& pose,
+                        const WallTouches& touches) const {
+    const Motion motion = p.motion[entry.particle];
+    const Spin spin = p.spin[entry.particle];
+    const WallMemory<Real> old = walls.memory[n];
+    WallMemory<Real> now;
+    WallResult<Real> result{};
+    WallSum sum = walls.sums[n];
+    bool taken[WallTouches::capacity] = {};
+    for (int k = 0; k < touches.count; ++k) {
+      const WallTouch& touch = touches.touch[k];
+      const Vec3d outward = rotate(pose.turn, touch.normal);
+      const double overlap = -touch.gap, arm = place.radius - overlap;
+      const Vec3d point = place.x - arm * outward;
+      const Vec3d wall_velocity = velocity_at(pose, point);
+
+      ContactMotion<Real> c;
+      c.normal = cast<Real>(-outward);
+      c.overlap = static_cast<Real>(overlap);
+      c.velocity = cast<Real>(motion.v - wall_velocity - arm * cross(spin.w, outward));
+      c.spin = cast<Real>(spin.w - pose.spin);
+      c.radius = static_cast<Real>(place.radius);
+      c.mass = static_cast<Real>(motion.mass);
+      c.inertia = static_cast<Real>(spin.inertia);
+
+      const ContactMemory<Real> memory = remembered(old, cast<Real>(outward), taken);
+      const ContactLoad<Real> load = hertz_mindlin(laws[entry.wall], c, memory.force, memory.overlap);
+      const Real weight = static_cast<Real>(touch.weight);
+      const Vec3<Real> force = weight * load.force;
+      result.force += force;
+      result.moment += static_cast<Real>(arm) * cross(c.normal, force) + weight * load.couple;
+      result.damped += weight * load.damped;
+      result.slipped += weight * load.slipped;
+      now.contact[k] = {load.elastic, c.overlap};
+      now.normal[k] = cast<Real>(outward);
+      book(sum, cast<double>(force), point, wall_velocity);
+    }
+    now.count = touches.count;
+    walls.memory[n] = now;
+    walls.result[n] = result;
+    walls.sums[n] = sum;
+  }
+
+  /// The contact of the last step with the nearest normal (within 45 degrees), each used once.
+  GYRO_HD static ContactMemory<Real> remembered(const WallMemory<Real>& old, const Vec3<Real>& normal, bool* taken) {
+    int best = -1;
+    Real nearest = Real(0.70710678);
+    for (int k = 0; k < old.count; ++k) {
+      const Real cosine = dot(old.normal[k], normal);
+      if (!taken[k] && cosine > nearest) {
+        nearest = cosine;
+        best = k;
+      }
+    }
+    if (best < 0) return {};
+    taken[best] = true;
+    return old.contact[best];
+  }
+
+  GYRO_HD void book(WallSum& sum, const Vec3d& on_particle, const Vec3d& point, const Vec3d& wall_velocity) const {
+    const double scale = dt / wall_quantum;
+    const Vec3d moment = cross(point, on_particle);
+    sum.force[0] -= quanta(scale * on_particle.x);
+    sum.force[1] -= quanta(scale * on_particle.y);
+    sum.force[2] -= quanta(scale * on_particle.z);
+    sum.moment[0] -= quanta(scale * moment.x);
+    sum.moment[1] -= quanta(scale * moment.y);
+    sum.moment[2] -= quanta(scale * moment.z);
+    sum.work += quanta(scale * dot(on_particle, wall_velocity));
+  }
+  GYRO_HD static std::int64_t quanta(double x) { return static_cast<std::int64_t>(::floor(x + 0.5)); }
+};
+
+}  // namespace gyro

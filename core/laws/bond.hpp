@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/laws/bond_strain.hpp"
+#include "core/math/select.hpp"
+
+namespace gyro {
+
+/// Constants of all bonds of a scene.
+template <class T>
+struct BondLaw {
+  T normal_stiffness;  ///< part of k_n that is the same for all bonds, per area [Pa/m]
+  T shear_stiffness;   ///< part of k_s that is the same for all bonds, per area [Pa/m]
+  T normal_modulus;    ///< part of k_n that falls with the length, k_n L0 [Pa]
+  T shear_modulus;     ///< part of k_s that falls with the length, k_s L0 [Pa]
+  T tensile_strength;  ///< sigma_c [Pa]
+  T shear_strength;    ///< tau_c [Pa]
+  T damping;           ///< xi, fraction of critical of each mode of the bond [-]
+  T friction;          ///< mu, after failure [-]
+  T dt;                ///< time step, for the dissipated work [s]
+};
+
+/// Section and strength of one bond.
+template <class T>
+struct BondSection {
+  T radius;        ///< Rb of the circular section [m]
+  T strength;      ///< factor on both strengths [-]
+  T sqrt_mass;     ///< sqrt(m_i m_j / (m_i + m_j)) [kg^1/2]
+  T sqrt_inertia;  ///< sqrt(I_i I_j / (I_i + I_j)) [kg^1/2 m]
+  T arm;           ///< a_i, as in BondShape [-]
+  T length;        ///< L0 [m]
+};
+
+/// Velocities of the two ends of a bond. World frame.
+template <class T>
+struct BondRates {
+  Vec3<T> velocity;  ///< v_j - v_i [m/s]
+  Vec3<T> spin_i, spin_j;
+};
+
+/// Loads of a bond and what the ledger needs.
+template <class T>
+struct BondLoad {
+  Vec3<T> force;     ///< on j; i receives the opposite [N]
+  Vec3<T> moment_i;  ///< on i [N m]
+  Vec3<T> moment_j;  ///< on j [N m]
+  T tension_ratio;   ///< tensile stress / strength [-]
+  T shear_ratio;     ///< shear stress / strength [-]
+  T elastic;         ///< stored energy [J]
+  T damped;          ///< work lost to damping in this step [J]
+};
+
+namespace bond_detail {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Moments of a force F on j (and -F on i) that acts at the section x_i + a_i d, plus a couple on j
+/// (and its opposite on i): angular momentum is kept exactly.
+template <class T>
+GYRO_HD void set_moments(BondLoad<T>& out, T arm, const Vec3<T>& span, const Vec3<T>& couple) {
+  const Vec3<T> lever = cross(span, out.force);
+  out.moment_i = -(arm * lever) - couple;
+  out.moment_j = couple - (T(1) - arm) * lever;
+}
+
+template <class T>
+GYRO_HD T normal_stiffness(const BondLaw<T>& law, const BondSection<T>& b) {
+  return law.normal_stiffness + law.normal_modulus / b.length;
+}
+template <class T>
+GYRO_HD T shear_stiffness(const BondLaw<T>& law, const BondSection<T>& b) {
+  return law.shear_stiffness + law.shear_modulus / b.length;
+}
+
+/// Velocity of j's side of the section relative to i's side [m/s].
+template <class T>
+GYRO_HD Vec3<T> slide_velocity(const BondRates<T>& r, T arm, const Vec3<T>& span) {
+  return r.velocity - cross(arm * r.spin_i + (T(1) - arm) * r.spin_j, span);
+}
+
+}  // namespace bond_detail
+
+/// Bond between two particles: the parallel bond of Potyondy & Cundall, "A bonded-particle model
+/// for rock", Int. J. Rock Mech. Min. Sci. 41 (2004) 1329, in total form.
+///
+///   kn    = normal_stiffness + normal_modulus/L0              ks likewise
+///   U     = 1/2 kn A (L - L0)^2 + 1/2 ks A L0^2 |gamma|^2 + 1/2 ks J theta_n^2 + 1/2 kn I |theta_s|^2
+///   F_j   = -kn A (L - L0) n + ks A L0^2 (c/L) gamma          A = pi Rb^2
+///   M_j   = -ks J theta_n n - kn I theta_s                    I = pi Rb^4/4, J = pi Rb^4/2
+///   sigma = kn (L - L0) + kn Rb |theta_s|        >= sigma_c   tension with bending, or
+///   tau   = ks L0 (L0/L) c |gamma| + ks Rb |theta_n| >= tau_c shear with twist
+///
+/// and damping 2 xi sqrt(k m*) on the rate of each mode, which counts neither for the stresses nor
+/// for U. Compression lowers sigma. Departure from Xiong et al. (Minerals 2024, eqs. 3-8), who print
+/// Rb^2 in I and J and the minimum of two stresses: misprints.
+template <class T>
+GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, const BondStrain<T>& s,
+                              const BondRates<T>& rates) {
+  using std::sqrt;
+  const T kn = bond_detail::normal_stiffness(law, b), ks = bond_detail::shear_stiffness(law, b);
+  const T area = T(bond_detail::pi) * b.radius * b.radius;
+  const T second = T(0.25) * area * b.radius * b.radius;  // I; J = 2 I
+
+  const T tension = kn * s.stretch;
+  const T stiff = ks * b.length * (b.length / s.length) * s.along;  // shear stress / |gamma|
+  const Vec3<T> moment = -(second * (ks + ks) * s.twist) * s.normal - (second * kn) * s.bend;
+
+  const Vec3<T> span = s.length * s.normal;
+  const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, span);
+  const T slide_n = dot(slide, s.normal);
+  const Vec3<T> slide_s = slide - slide_n * s.normal;
+  const Vec3<T> roll = rates.spin_j - rates.spin_i;
+  const T roll_n = dot(roll, s.normal);
+  const Vec3<T> roll_s = roll - roll_n * s.normal;
+
+  // 2 xi sqrt(k m*) for k = kn A, ks A, kn I = kn A Rb^2/4 and ks J = ks A Rb^2/2.
+  const T root_n = (law.damping + law.damping) * sqrt(kn * area);
+  const T root_s = (law.damping + law.damping) * sqrt(ks * area);
+  const T half_arm = T(0.5) * b.radius * b.sqrt_inertia;
+  const T c_n = root_n * b.sqrt_mass, c_s = root_s * b.sqrt_mass;
+  const T c_b = root_n * half_arm, c_t = root_s * half_arm * T(1.4142135623730951);
+
+  BondLoad<T> out;
+  out.force = (area * stiff) * s.shear - (area * tension + c_n * slide_n) * s.normal - c_s * slide_s;
+  bond_detail::set_moments(out, b.arm, span, moment - (c_t * roll_n) * s.normal - c_b * roll_s);
+  out.damped = law.dt * (c_n * slide_n * slide_n + c_s * norm2(slide_s) + c_t * roll_n * roll_n + c_b * norm2(roll_s));
+
+  const T shear2 = norm2(s.shear), bend2 = norm2(s.bend);
+  out.tension_ratio = (tension + kn * b.radius * sqrt(bend2)) / (law.tensile_strength * b.strength);
+  out.shear_ratio = (stiff * sqrt(shear2) + ks * b.radius * magnitude(s.twist)) / (law.shear_strength * b.strength);
+  out.elastic = T(0.5) * (area * (kn * s.stretch * s.stretch + ks * b.length * b.length * shear2) +
+                          second * ((ks + ks) * s.twist * s.twist + kn * bend2));
+  return out;
+}
+
+/// Loads of an unglued bond, and how much of its shear survived the friction limit.
+template <class T>
+struct UngluedLoad {
+  BondLoad<T> load;
+  T keep;       ///< share of the shear strain that is left after slip; 1: no slip [-]
+  T slip_work;  ///< lost to friction in this step [J]
+};
+
+/// A bond that has failed and whose ends have not come apart yet: a spring that only pushes. Its
+/// compressive force is that of the glued bond, so failure adds no force and no stiffness.
+///
+///   F_n = max(0, -kn A (L - L0) - c_n v_n) while L < L0
+///   F_s = ks A L0^2 (c/L) gamma, cut to mu F_n; the cut share of gamma is slip (slipped_axis)
+template <class T>
+GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>& b, const BondStrain<T>& s,
+                                    const BondRates<T>& rates) {
+  using std::sqrt;
+  const T kn = bond_detail::normal_stiffness(law, b), ks = bond_detail::shear_stiffness(law, b);
+  const T area = T(bond_detail::pi) * b.radius * b.radius;
+  const Vec3<T> span = s.length * s.normal;
+
+  const T slide_n = dot(bond_detail::slide_velocity(rates, b.arm, span), s.normal);
+  const T c_n = (law.damping + law.damping) * sqrt(kn * area) * b.sqrt_mass;
+  const T spring = positive(-(kn * area * s.stretch));
+  const T push = select(s.stretch < T(0), positive(spring - c_n * slide_n), T(0));
+
+  const T gamma2 = norm2(s.shear);
+  const T stiff = area * ks * b.length * (b.length / s.length) * s.along;
+  const T trial = stiff * sqrt(gamma2), limit = law.friction * push;
+
+  UngluedLoad<T> out;
+  out.keep = select(trial > limit, limit / larger(trial, T(1e-30)), T(1));
+  out.load.force = push * s.normal + (out.keep * stiff) * s.shear;
+  bond_detail::set_moments(out.load, b.arm, span, T(0) * s.normal);
+  out.load.tension_ratio = out.load.shear_ratio = T(0);
+
+  const T shear_energy = T(0.5) * area * ks * b.length * b.length * gamma2;
+  const T kept_energy = out.keep * out.keep * shear_energy;
+  out.load.elastic = T(0.5) * spring * magnitude(s.stretch) + kept_energy;
+  out.load.damped = select(s.stretch < T(0), law.dt * (spring - push) * slide_n, T(0));
+  out.slip_work = shear_energy - kept_energy;
+  return out;
+}
+
+}  // namespace gyro

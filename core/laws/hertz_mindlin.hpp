@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/select.hpp"
+#include "core/math/vec3.hpp"
+
+namespace gyro {
+
+/// Constants of one pair of materials, combined once.
+template <class T>
+struct ContactLaw {
+  T youngs;    ///< E* [Pa], 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
+  T shear;     ///< G* [Pa], 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2
+  T damping;   ///< zeta >= 0 [-], from the restitution: damping_for_restitution()
+  T friction;  ///< Coulomb coefficient mu [-]
+  T rolling;   ///< rolling friction mu_r [-]
+  T dt;        ///< time step [s]
+};
+
+/// Kinematics of one contact, seen from body i. World frame.
+template <class T>
+struct ContactMotion {
+  Vec3<T> normal;    ///< unit vector from i to j
+  T overlap;         ///< delta > 0 while the bodies touch [m]
+  Vec3<T> velocity;  ///< of i relative to j at the contact point [m/s]
+  Vec3<T> spin;      ///< of i relative to j [rad/s]
+  T radius;          ///< R* = Ri Rj/(Ri + Rj) [m]
+  T mass;            ///< m* = mi mj/(mi + mj) [kg]
+  T inertia;         ///< Ii Ij/(Ii + Ij) [kg m2]
+};
+
+/// Loads on body i, what the contact remembers, and what the ledger needs.
+template <class T>
+struct ContactLoad {
+  Vec3<T> force;    ///< on i [N]
+  Vec3<T> couple;   ///< rolling resistance on i; j receives the opposite [N m]
+  Vec3<T> elastic;  ///< elastic part of the tangential force on i: the memory [N]
+  T damped;         ///< work lost to damping in this step [J]
+  T slipped;        ///< work lost to friction and rolling in this step [J]
+};
+
+/// Elastic energy of a contact: 2/5 of (4/3 E* sqrt(R*) delta^1.5) delta, plus Ft^2/(2 St) [J].
+template <class T>
+GYRO_HD T contact_energy(const ContactLaw<T>& law, T radius, T overlap, const Vec3<T>& elastic) {
+  using std::sqrt;
+  const T root = sqrt(radius * overlap);
+  const T stiff_t = T(8) * law.shear * root;
+  return T(8.0 / 15.0) * law.youngs * root * overlap * overlap + norm2(elastic) / (stiff_t + stiff_t);
+}
+
+/// Hertz–Mindlin contact with damping, Coulomb friction and rolling resistance.
+///
+///   Fn = max(0, 4/3 E* sqrt(R* d) d + c(Sn) vn)        Sn = 2 E* sqrt(R* d), vn > 0 approaching
+///   Ft = Ft0 - St vt dt - c(St) vt, |Ft| <= mu Fn      St = 8 G* sqrt(R* d)
+///   c(S) = 2 sqrt(5/6) zeta sqrt(S m*)
+///   |M| <= mu_r R* Fn against the relative rolling, and no more than stops it in one step
+///
+/// Ft0 is the elastic tangential force of the last step, laid into the present tangent plane at
+/// equal size and, while unloading, scaled by St/St_old: otherwise a loop load–shear–unload would
+/// create energy (Thornton & Randall 1988; `rescale` variants of later codes). While sliding there
+/// is no tangential damping: the sum is cut to mu Fn.
+///
+/// Sources: Johnson, Contact Mechanics (1985), ch. 4 and 7; Tsuji, Tanaka & Ishida, Powder Technol.
+/// 71 (1992) 239 for the form of the damping; the constant zeta belongs to a force that cannot pull.
+///
+/// @param c           kinematics; c.overlap > 0
+/// @param before      elastic tangential force on i of the last step [N]; 0 for a new contact
+/// @param overlap_before  overlap of the last step [m]; 0 for a new contact
+template <class T>
+GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMotion<T>& c, const Vec3<T>& before,
+                                     T overlap_before) {
+  using std::sqrt;
+  const T tiny = T(1e-30);
+  const T root = sqrt(c.radius * c.overlap);
+  const T stiff_n = T(2) * law.youngs * root, stiff_t = T(8) * law.shear * root;
+  const T damp = T(1.8257418583505538) * law.damping;  // 2 sqrt(5/6) zeta
+
+  const T speed_n = dot(c.velocity, c.normal);
+  const T spring_n = T(2.0 / 3.0) * stiff_n * c.overlap;
+  const T push = positive(spring_n + damp * sqrt(stiff_n * c.mass) * speed_n);
+  const T limit = law.friction * push;
+
+  // The memory in the present tangent plane, at equal size, softened while unloading.
+  const Vec3<T> flat = tangential(before, c.normal);
+  const T size_before = norm(before), size_flat = norm(flat);
+  const T unload = select(c.overlap < overlap_before, sqrt(c.overlap / larger(overlap_before, tiny)), T(1));
+  const Vec3<T> laid = (size_before / larger(size_flat, tiny)) * flat;
+
+  const Vec3<T> slide = c.velocity - speed_n * c.normal;
+  const Vec3<T> trial = unload * laid - (stiff_t * law.dt) * slide;
+  const T size = norm(trial);
+  const T keep = select(size > limit, limit / larger(size, tiny), T(1));
+
+  ContactLoad<T> out;
+  out.elastic = keep * trial;
+  const T damp_t = select(size > limit, T(0), damp * sqrt(stiff_t * c.mass));
+  const Vec3<T> wanted = out.elastic - damp_t * slide;
+  const T wanted_size = norm(wanted);
+  const T cut = select(wanted_size > limit, limit / larger(wanted_size, tiny), T(1));
+  const Vec3<T> friction = cut * wanted;
+  out.force = friction - push * c.normal;
+  const Vec3<T> drag = friction - out.elastic;
+  out.damped = law.dt * ((push - spring_n) * speed_n - dot(drag, slide));
+
+  // Work into the tangential spring less what it stores is friction.
+  const T root_before = sqrt(c.radius * overlap_before);
+  const T stored_before = size_before * size_before / larger(T(16) * law.shear * root_before, tiny);
+  const T stored = norm2(out.elastic) / (stiff_t + stiff_t);
+  out.slipped = T(-0.5) * law.dt * dot(laid + out.elastic, slide) - (stored - stored_before);
+
+  // Rolling.
+  const Vec3<T> roll = tangential(c.spin, c.normal);
+  const T roll_speed = norm(roll);
+  const T couple = smaller(law.rolling * c.radius * push, c.inertia * roll_speed / law.dt);
+  out.couple = -(couple / larger(roll_speed, tiny)) * roll;
+  out.slipped = out.slipped + law.dt * couple * roll_speed;
+  return out;
+}
+
+}  // namespace gyro

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/quat.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+// Packs: N numbers that a CPU core works on at once, with the operators of one number, so that
+// a law written for one bond serves N. GCC's and clang's vector types do the work; a processor
+// with shorter registers gets several instructions for one pack. GPU code never sees a pack: a
+// thread there is one lane.
+
+namespace gyro {
+
+/// The compiler's vector of N numbers. A struct of its own, because the attribute must see a
+/// finished type.
+template <class T, int N>
+struct VectorOf {
+  static constexpr std::size_t bytes = sizeof(T) * N;
+  using type [[gnu::vector_size(bytes)]] = T;
+};
+
+/// Result of a comparison, one lane each: all bits set (true) or none.
+template <class T, int N>
+struct PackMask {
+  using Int = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
+  using Vector = typename VectorOf<Int, N>::type;
+  Vector v;
+
+  bool operator[](int lane) const { return v[lane] != 0; }
+  friend PackMask operator&(PackMask a, PackMask b) { return {a.v & b.v}; }
+  friend PackMask operator|(PackMask a, PackMask b) { return {a.v | b.v}; }
+  friend PackMask operator~(PackMask a) { return {~a.v}; }
+};
+
+/// N numbers of type T (float or double).
+template <class T, int N>
+struct Pack {
+  using Vector = typename VectorOf<T, N>::type;
+  using Mask = PackMask<T, N>;
+  static constexpr int lanes = N;
+  Vector v;
+
+  Pack() = default;
+  Pack(T s) : v(Vector{} + s) {}  // NOLINT: a number is a pack of equal numbers
+  explicit Pack(Vector x) : v(x) {}
+
+  T operator[](int lane) const { return v[lane]; }
+  friend Pack operator+(Pack a, Pack b) { return Pack{a.v + b.v}; }
+  friend Pack operator-(Pack a, Pack b) { return Pack{a.v - b.v}; }
+  friend Pack operator*(Pack a, Pack b) { return Pack{a.v * b.v}; }
+  friend Pack operator/(Pack a, Pack b) { return Pack{a.v / b.v}; }
+  friend Pack operator-(Pack a) { return Pack{-a.v}; }
+  friend Mask operator<(Pack a, Pack b) { return {a.v < b.v}; }
+  friend Mask operator>(Pack a, Pack b) { return {a.v > b.v}; }
+  friend Mask operator<=(Pack a, Pack b) { return {a.v <= b.v}; }
+  friend Mask operator>=(Pack a, Pack b) { return {a.v >= b.v}; }
+};
+
+template <class T, int N>
+Pack<T, N> select(PackMask<T, N> m, Pack<T, N> a, Pack<T, N> b) {
+  return Pack<T, N>{m.v ? a.v : b.v};
+}
+template <class T, int N>
+Pack<T, N> sqrt(Pack<T, N> a) {
+  alignas(64) T lane[N];
+  std::memcpy(lane, &a.v, sizeof lane);
+  for (int k = 0; k < N; ++k) lane[k] = std::sqrt(lane[k]);
+  std::memcpy(&a.v, lane, sizeof lane);
+  return a;
+}
+template <class To, class From, int N>
+Pack<To, N> pack_cast(Pack<From, N> a) {
+  return Pack<To, N>{__builtin_convertvector(a.v, typename Pack<To, N>::Vector)};
+}
+
+/// Every number of a vector, strain or the like in another number type.
+template <class To, class From, int N>
+Vec3<Pack<To, N>> pack_cast(const Vec3<Pack<From, N>>& a) {
+  return {pack_cast<To>(a.x), pack_cast<To>(a.y), pack_cast<To>(a.z)};
+}
+
+/// Number type of one lane.
+template <class T>
+struct LaneOf {
+  using type = T;
+};
+template <class T, int N>
+struct LaneOf<Pack<T, N>> {
+  using type = T;
+};
+
+}  // namespace gyro

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/hd.hpp"
+#include "core/math/vec3.hpp"
+
+namespace gyro {
+
+/// Two particles near each other. The one with the lower id is i, so that a pair is evaluated the
+/// same way whatever the order of the arrays.
+struct Pair {
+  Index i, j;
+  Index bond;  ///< bond of the same two particles, or none: while it holds, the pair is no contact
+};
+
+/// What a contact remembers from one step to the next. Zero while the pair does not touch.
+template <class Real>
+struct ContactMemory {
+  Vec3<Real> force;  ///< elastic tangential force on i [N]
+  Real overlap;      ///< [m]
+};
+
+/// Result of a pair for this step.
+template <class Real>
+struct PairResult {
+  Vec3<Real> force;               ///< on i; j receives the opposite [N]
+  Vec3<Real> moment_i, moment_j;  ///< [N m]
+  Real damped, slipped;           ///< work lost in this step [J]
+};
+
+/// One end of a pair, in the row of a particle.
+struct PairEnd {
+  Index pair;
+  std::int32_t side;  ///< 0: the particle is i; 1: it is j
+};
+
+/// Neighbour lists as kernels see them. Rows of ends are ordered by the partner's id.
+template <class Real>
+struct PairView {
+  Pair* pairs;
+  ContactMemory<Real>* memory;
+  PairResult<Real>* result;
+  std::int8_t* touching;
+  Index* row_begin;  ///< per particle, into ends; one past the end at the last
+  PairEnd* ends;
+  Index count;
+};
+
+}  // namespace gyro

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/quat.hpp"
+
+#include <cstddef>
+
+namespace gyro {
+
+// The state of a particle, in rows that are read together: a row is one or two aligned loads on a
+// CPU and on a GPU. All of it is double in both precisions: single positions and turns heat a
+// free rock (core/README.md).
+
+/// Where a sphere is.
+struct alignas(32) Sphere {
+  Vec3d x;        ///< centre [m]
+  double radius;  ///< [m]
+};
+
+/// How it moves.
+struct alignas(32) Motion {
+  Vec3d v;      ///< [m/s]
+  double mass;  ///< [kg]
+};
+
+/// How it spins.
+struct alignas(32) Spin {
+  Vec3d w;         ///< [rad/s]
+  double inertia;  ///< 2/5 m R^2 [kg m2]
+};
+
+/// Force and moment on a particle, each with the work that its sources lost in this step: the sum
+/// travels with the loads through one gather.
+struct alignas(64) Load {
+  Vec3d force{0, 0, 0};   ///< [N]
+  double damped = 0;      ///< [J]
+  Vec3d moment{0, 0, 0};  ///< [N m]
+  double slipped = 0;     ///< [J]
+};
+
+/// Work lost at a particle since it came into the scene [J]. A pair's share is booked at its
+/// lower id, so that it does not depend on when lists are rebuilt.
+struct Losses {
+  double bond_damping = 0, bond_slip = 0, contact_damping = 0, contact_slip = 0;
+};
+
+/// Columns of the particles. Column<T> is a buffer, a pointer or a vector of T.
+template <template <class> class Column>
+struct Particles {
+  Column<Sphere> place;
+  Column<Motion> motion;
+  Column<Spin> spin;
+  Column<Quatd> turn;       ///< since the particle came into the scene; empty without bonds
+  Column<Load> load;        ///< total at the present place, gravity included
+  Column<Load> bond_load;   ///< from bonds alone; empty without bonds
+  Column<Vec3d> listed_at;  ///< place when the neighbour lists were built
+  Column<Losses> losses;
+  Column<ParticleId> id;
+  Column<Index> block;  ///< of rock
+};
+
+/// Calls f(column, whether the column exists only with bonds) for every column of the particles
+/// given, in step: the one list of columns.
+template <class F, class... P>
+void for_each_particle_column(F&& f, P&... p) {
+  f(false, p.place...);
+  f(false, p.motion...);
+  f(false, p.spin...);
+  f(true, p.turn...);
+  f(false, p.load...);
+  f(true, p.bond_load...);
+  f(false, p.listed_at...);
+  f(false, p.losses...);
+  f(false, p.id...);
+  f(false, p.block...);
+}
+
+template <class T>
+using Pointer = T*;
+
+/// What kernels take by value.
+using ParticleView = Particles<Pointer>;
+static_assert(sizeof(ParticleView) == 10 * sizeof(void*), "a new column needs a line in for_each_particle_column");
+
+}  // namespace gyro
