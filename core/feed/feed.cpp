@@ -112,13 +112,13 @@ Bed Feed::bed_of(const ParticleSnapshot& present, const PlaceRegion* near) const
   return bed;
 }
 
-NewRock Feed::instance(Index kind, const Place& place, Bed& bed) {
+NewRock Feed::instance(Index kind, const RockPose& pose, Bed& bed) {
   const RockTemplate& rock = library_.rocks[static_cast<std::size_t>(kind)];
   NewRock made;
   made.id = plan_.first_rock + static_cast<RockId>(state_.rocks);
   const auto first = static_cast<ParticleId>(plan_.first_particle + state_.particles);
   for (std::size_t k = 0; k < rock.centres.size(); ++k) {
-    const Vec3d centre = place.position + rotate(place.turn, rock.centres[k]);
+    const Vec3d centre = pose.position + rotate(pose.turn, rock.centres[k]);
     const auto id = first + static_cast<ParticleId>(k);
     made.particles.push_back({id, centre, {0, 0, 0}, {0, 0, 0}, rock.radii[k], rock.particle_density});
     bed.add(centre, rock.radii[k]);
@@ -137,9 +137,9 @@ NewRock Feed::instance(Index kind, const Place& place, Bed& bed) {
 std::optional<NewRock> Feed::placed(const PlaceRegion& region, Bed& bed, const Search& search) {
   const Index kind = next_kind();
   const Placement placement(region, walls_, bed, plan_.clearance);
-  const std::optional<Place> place = placement.lowest(library_.rocks[static_cast<std::size_t>(kind)], search);
-  if (!place) return std::nullopt;
-  return instance(kind, *place, bed);
+  const std::optional<RockPose> pose = placement.lowest(library_.rocks[static_cast<std::size_t>(kind)], search);
+  if (!pose) return std::nullopt;
+  return instance(kind, *pose, bed);
 }
 
 void Feed::check_fixed(const FixedRock& fixed, const Bed& bed) const {

@@ -102,7 +102,7 @@ class Feed {
   Index next_kind() const;
   Bed bed_of(const ParticleSnapshot& present, const PlaceRegion* near) const;
   std::optional<NewRock> placed(const PlaceRegion& region, Bed& bed, const Search& search);
-  NewRock instance(Index kind, const Place& place, Bed& bed);
+  NewRock instance(Index kind, const RockPose& pose, Bed& bed);
   void charge(Bed& bed, std::vector<NewRock>& rocks);
 
   const RockLibrary& library_;

@@ -89,10 +89,10 @@ double Placement::lowest_height(const RockTemplate& rock, double x, double y, co
   return z <= highest ? z : never;
 }
 
-std::optional<Place> Placement::lowest(const RockTemplate& rock, const Search& search) const {
+std::optional<RockPose> Placement::lowest(const RockTemplate& rock, const Search& search) const {
   const auto first = search.attempt * static_cast<std::uint32_t>(3 * search.places + 4 * search.improvements);
   Draws draws{search.seed, search.rock, first, first};
-  Place best{{0, 0, never}, {1, 0, 0, 0}};
+  RockPose best{{0, 0, never}, {1, 0, 0, 0}};
   const auto offer = [&](double x, double y, const Quatd& turn) {
     const double z = lowest_height(rock, x, y, turn, best.position.z);
     const bool lower = z < best.position.z;

@@ -15,7 +15,7 @@
 namespace gyro {
 
 /// Where a rock lies: of its centre of mass.
-struct Place {
+struct RockPose {
   Vec3d position;
   Quatd turn;
 };
@@ -86,7 +86,7 @@ class Placement {
 
   /// The lowest of many random places, improved by small moves: shifts and turns that let the
   /// rock sink. None if no place was free.
-  std::optional<Place> lowest(const RockTemplate& rock, const Search& search) const;
+  std::optional<RockPose> lowest(const RockTemplate& rock, const Search& search) const;
 
   /// Lowest free height of the rock's centre at (x, y), up to a limit; infinite if there is none.
   /// Every sphere that is in the way raises the rock by the least that can free it, so no

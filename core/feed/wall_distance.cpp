@@ -45,7 +45,7 @@ void WallDistance::make_mesh(const MeshShape& shape) {
 /// Grid over the mesh whose cells list the triangles that may lie within reach.
 void WallDistance::fill_cells() {
   Vec3d low = triangles_[0].a, high = low;
-  for (const WallTriangle& t : triangles_) {
+  for (const FlatTriangle& t : triangles_) {
     low = lower(low, lower(t.a, lower(t.b, t.c)));
     high = upper(high, upper(t.a, upper(t.b, t.c)));
   }
@@ -56,7 +56,7 @@ void WallDistance::fill_cells() {
   cells_.count = {cells_along(size.x), cells_along(size.y), cells_along(size.z)};
   const auto n = static_cast<std::size_t>(cells_.count.x) * static_cast<std::size_t>(cells_.count.y * cells_.count.z);
 
-  const auto for_cells_of = [&](const WallTriangle& t, const auto& visit) {
+  const auto for_cells_of = [&](const FlatTriangle& t, const auto& visit) {
     const Vec3d a = (1 / cells_.size) * (lower(t.a, lower(t.b, t.c)) - margin - cells_.low);
     const Vec3d b = (1 / cells_.size) * (upper(t.a, upper(t.b, t.c)) + margin - cells_.low);
     for (Index z = static_cast<Index>(std::max(a.z, 0.0)); z <= std::min(static_cast<Index>(b.z), cells_.count.z - 1);
@@ -68,7 +68,7 @@ void WallDistance::fill_cells() {
           visit(static_cast<std::size_t>((z * cells_.count.y + y) * cells_.count.x + x));
   };
   cells_.begin.assign(n + 1, 0);
-  for (const WallTriangle& t : triangles_) for_cells_of(t, [&](std::size_t cell) { ++cells_.begin[cell + 1]; });
+  for (const FlatTriangle& t : triangles_) for_cells_of(t, [&](std::size_t cell) { ++cells_.begin[cell + 1]; });
   for (std::size_t cell = 0; cell < n; ++cell) cells_.begin[cell + 1] += cells_.begin[cell];
   cells_.triangle.resize(static_cast<std::size_t>(cells_.begin[n]));
   std::vector<Index> next(cells_.begin.begin(), cells_.begin.end() - 1);
@@ -115,13 +115,12 @@ double WallDistance::to_mesh(const Vec3d& body) const {
   if (!(place.x < cells_.count.x && place.y < cells_.count.y && place.z < cells_.count.z)) return reach_;
   const Vec3<Index> c{static_cast<Index>(place.x), static_cast<Index>(place.y), static_cast<Index>(place.z)};
   const auto cell = static_cast<std::size_t>((c.z * cells_.count.y + c.y) * cells_.count.x + c.x);
-  double nearest = reach_;
+  double nearest2 = reach_ * reach_;
   for (Index k = cells_.begin[cell]; k < cells_.begin[cell + 1]; ++k) {
-    NearPoint p;
-    const WallTriangle& t = triangles_[static_cast<std::size_t>(cells_.triangle[static_cast<std::size_t>(k)])];
-    if (near_triangle(t, body, nearest, p)) nearest = p.height;
+    const auto triangle = static_cast<std::size_t>(cells_.triangle[static_cast<std::size_t>(k)]);
+    nearest2 = std::min(nearest2, distance2_to_triangle(triangles_[triangle], body));
   }
-  return nearest;
+  return std::sqrt(nearest2);
 }
 
 }  // namespace gyro

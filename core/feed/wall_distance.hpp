@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dem/scene.hpp"
-#include "core/laws/wall_contact.hpp"
+#include "core/feed/triangle_distance.hpp"
 
 #include <vector>
 
@@ -42,7 +42,7 @@ class WallDistance {
   double reach_;
   PlaneShape plane_{};
   std::vector<Segment> segments_;
-  std::vector<WallTriangle> triangles_;
+  std::vector<FlatTriangle> triangles_;
   Cells cells_{};
 };
 

@@ -212,11 +212,9 @@ TEST_CASE("A charge lies between liner meshes as between their profiles", "[feed
         for (const auto& t : mesh.triangles) {
           const auto at = [&](Index v) { return mesh.vertices[static_cast<std::size_t>(v)]; };
           const Vec3d n = cross(at(t.y) - at(t.x), at(t.z) - at(t.x));
-          NearPoint q;
           if (!(norm2(n) > 0)) continue;
-          if (near_triangle({at(t.x), at(t.y), at(t.z), (1 / norm(n)) * n}, p.position, p.radius + nearest, q)) {
-            nearest = q.height - p.radius;
-          }
+          const FlatTriangle triangle{at(t.x), at(t.y), at(t.z), (1 / norm(n)) * n};
+          nearest = std::min(nearest, std::sqrt(distance2_to_triangle(triangle, p.position)) - p.radius);
         }
       }
     }

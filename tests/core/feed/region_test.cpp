@@ -89,11 +89,29 @@ TEST_CASE("Distances to a mesh equal a search through all triangles", "[feed]") 
       const auto at = [&](Index v) { return mesh.vertices[static_cast<std::size_t>(v)]; };
       const Vec3d n = cross(at(t.y) - at(t.x), at(t.z) - at(t.x));
       if (!(norm2(n) > 0)) continue;
-      NearPoint q;
-      if (near_triangle({at(t.x), at(t.y), at(t.z), (1 / norm(n)) * n}, p, nearest, q)) nearest = q.height;
+      nearest = std::min(nearest, std::sqrt(distance2_to_triangle({at(t.x), at(t.y), at(t.z), (1 / norm(n)) * n}, p)));
     }
     near += nearest < reach;
     CHECK(distance.at({}, p) == Approx(nearest).epsilon(1e-12));
   }
   CHECK(near > 100);
+}
+
+TEST_CASE("The distance to a triangle is the least of the distances to its points", "[feed]") {
+  const Vec3d a{0.1, 0, 0.2}, b{1, 0.3, 0}, c{0.2, 0.9, 0.4}, n = cross(b - a, c - a);
+  const FlatTriangle triangle{a, b, c, (1 / norm(n)) * n};
+  const int cuts = 300;  // a grid of points: the nearest is off by less than the grid's spacing
+  for (std::uint64_t k = 0; k < 50; ++k) {
+    const auto u = [k](std::uint32_t draw) { return uniform(4, Stream::place, k, draw); };
+    const Vec3d p{3 * u(0) - 1, 3 * u(1) - 1, 3 * u(2) - 1};
+    double least = 1e9;
+    for (int i = 0; i <= cuts; ++i) {
+      for (int j = 0; i + j <= cuts; ++j) {
+        least = std::min(least, norm(p - a - (i / double(cuts)) * (b - a) - (j / double(cuts)) * (c - a)));
+      }
+    }
+    const double exact = std::sqrt(distance2_to_triangle(triangle, p));
+    CHECK(exact <= least * (1 + 1e-12));
+    CHECK(exact >= least - 1.0 / cuts);
+  }
 }
