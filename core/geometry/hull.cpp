@@ -5,6 +5,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+
 namespace gyro {
 
 TriangleMesh convex_hull(const std::vector<Vec3d>& points) {
@@ -16,19 +20,34 @@ TriangleMesh convex_hull(const std::vector<Vec3d>& points) {
   Surface surface;
   CGAL::convex_hull_3(input.begin(), input.end(), surface);
 
-  TriangleMesh mesh;
+  // CGAL numbers vertices and faces by memory address, so each run differs: number them by the input.
+  std::map<std::array<double, 3>, Index> input_order;
+  for (const Vec3d& p : points) input_order.try_emplace({p.x, p.y, p.z}, static_cast<Index>(input_order.size()));
+  std::map<Index, Vec3d> corners;
+  const auto number_of = [&](Surface::Vertex_index v) {
+    const auto& p = surface.point(v);
+    return input_order.at({p.x(), p.y(), p.z()});
+  };
   for (const auto v : surface.vertices()) {
     const auto& p = surface.point(v);
-    mesh.vertices.push_back({p.x(), p.y(), p.z()});
+    corners[number_of(v)] = {p.x(), p.y(), p.z()};
   }
+  TriangleMesh mesh;
+  std::map<Index, Index> place;
+  for (const auto& [number, p] : corners) {
+    place[number] = static_cast<Index>(mesh.vertices.size());
+    mesh.vertices.push_back(p);
+  }
+  std::vector<std::array<Index, 3>> faces;
   for (const auto f : surface.faces()) {
-    Index corner[3];
+    std::array<Index, 3> face{};
     int k = 0;
-    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface)) {
-      if (k < 3) corner[k++] = static_cast<Index>(v.idx());
-    }
-    mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface)) face.at(k++) = place.at(number_of(v));
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    faces.push_back(face);
   }
+  std::sort(faces.begin(), faces.end());
+  for (const auto& [a, b, c] : faces) mesh.triangles.push_back({a, b, c});
   return mesh;
 }
 

@@ -14,7 +14,7 @@
 namespace gyro {
 namespace {
 
-constexpr int cuts = 8, most_cuts = 64;  // more where few particles seldom hold together
+constexpr int cuts = 16, most_cuts = 64;  // more where few particles seldom hold together
 /// A cut that loses more than this share of its spheres is no rock.
 constexpr double least_kept = 0.8;
 /// Draws up to here made the packing itself.
@@ -88,13 +88,14 @@ void sort_for_locality(std::vector<Vec3d>& centres) {
                    [&](const Vec3d& a, const Vec3d& b) { return morton_code(a, half) < morton_code(b, half); });
 }
 
-/// Largest relative error of mass and principal moments against the shape filled evenly.
+/// Largest relative error of mass (counted twice: it is the coarsest measure) and principal moments against
+/// the shape filled evenly.
 double misfit(const Mould& mould, const Filling& filling, double fraction) {
   if (filling.centres.empty()) return std::numeric_limits<double>::infinity();
   const double mass = sphere_volume(filling.radii);
   const Vec3d got = principal_axes(sphere_inertia(filling.centres, filling.radii, 1 / mass)).moments;
   const Vec3d want = mould.shape.inertia;
-  return std::max({std::abs(mass / fraction - 1), std::abs(got.x / want.x - 1), std::abs(got.y / want.y - 1),
+  return std::max({2 * std::abs(mass / fraction - 1), std::abs(got.x / want.x - 1), std::abs(got.y / want.y - 1),
                    std::abs(got.z / want.z - 1)});
 }
 

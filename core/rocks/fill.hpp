@@ -28,7 +28,7 @@ inline constexpr double least_fill_ratio = 2, greatest_fill_ratio = 50;
 
 /// Fills the shape with equal spheres of diameter (equal-volume diameter of the shape)/ratio: those spheres
 /// of the jammed packing, at a random place and turn, whose centre lies inside. So there is no thin
-/// layer at the surface, and on average fraction x ratio^3 spheres. Of eight cuts the one is kept whose mass and
+/// layer at the surface, and on average fraction x ratio^3 spheres. Of sixteen cuts the one is kept whose mass and
 /// inertia are nearest to that of the full packing in the shape; spheres not bonded to the largest
 /// piece are left out.
 /// @param rock number of the rock under this seed

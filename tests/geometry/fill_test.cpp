@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rocks/fill.hpp"
+#include "core/base/errors.hpp"
+#include "core/rocks/packing.hpp"
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace gyro;
+
+TEST_CASE("The packing is dense, random and hardly overlaps") {
+  const Packing& packing = rock_packing();
+  const double side = packing.side;
+  CHECK(packing.fraction > 0.58);
+  CHECK(packing.fraction < 0.64);
+  double closest = 2, neighbours = 0;
+  for (std::size_t i = 0; i < packing.centres.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3d d = packing.centres[i] - packing.centres[j];
+      const auto wrap = [&](double x) { return x - side * std::nearbyint(x / side); };
+      const double r = norm(Vec3d{wrap(d.x), wrap(d.y), wrap(d.z)});
+      closest = std::min(closest, r);
+      neighbours += r < 2.05 ? 2 : 0;
+    }
+  }
+  CHECK(2 - closest < 0.01);  // one percent of the radius
+  CHECK(packing.overlap == Approx(2 - closest).margin(1e-9));
+  const double n = static_cast<double>(packing.centres.size());
+  CHECK(packing.fraction == Approx(n * 4 * std::numbers::pi / 3 / (side * side * side)));
+  CHECK(neighbours / n > 6.5);  // a crystal of this density has below 6, random packing 7
+  CHECK(neighbours / n < 8);
+}
+
+TEST_CASE("Particle counts by fill ratio") {
+  struct Case {
+    double ratio;
+    std::size_t least, most;
+  };
+  const Case c = GENERATE(Case{10, 550, 650}, Case{6, 115, 140}, Case{4, 33, 42}, Case{2, 3, 7});
+  const BondRule rule{0.05, RelativeBondRadius{0.5}};
+  for (int rock = 0; rock < 12; ++rock) {
+    const Mould mould(procedural_shape(1, rock));
+    const Filling f = fill_mono(mould, c.ratio, rule, 42, rock);
+    CAPTURE(c.ratio, rock, f.centres.size());
+    CHECK(f.centres.size() >= c.least);
+    CHECK(f.centres.size() <= c.most);
+    CHECK(f.radii[0] == Approx(std::cbrt(6 / std::numbers::pi) / 2 / c.ratio));
+    const auto bonds = make_bonds(f.centres, f.radii, rule);
+    CHECK(largest_piece(bonds, static_cast<Index>(f.centres.size())).size() == f.centres.size());
+    for (const Vec3d& p : f.centres) CHECK(mould.inside.contains(p));
+  }
+}
+
+TEST_CASE("A rock larger than the packing is tiled from it, without overlaps at the seams") {
+  const Mould mould(procedural_shape(1, 0));
+  const Filling f = fill_mono(mould, 22, {0.05, RelativeBondRadius{0.5}}, 42, 0);
+  CHECK(static_cast<double>(f.centres.size()) == Approx(rock_packing().fraction * 22 * 22 * 22).epsilon(0.01));
+  double deepest = 0;
+  for (const TemplateBond& b : make_bonds(f.centres, f.radii, {0, RelativeBondRadius{1}})) {
+    deepest = std::max(deepest, 2 - b.length / f.radii[0]);
+  }
+  CHECK(deepest < 0.01);
+}
+
+TEST_CASE("A filling depends on seed and rock only") {
+  const Mould mould(procedural_shape(1, 0));
+  const BondRule rule{};
+  const Filling a = fill_mono(mould, 6, rule, 42, 3), b = fill_mono(mould, 6, rule, 42, 3);
+  REQUIRE(a.centres.size() == b.centres.size());
+  for (std::size_t k = 0; k < a.centres.size(); ++k) CHECK(norm(a.centres[k] - b.centres[k]) == 0);
+  CHECK(norm(fill_mono(mould, 6, rule, 42, 4).centres[0] - a.centres[0]) > 0);
+}
+
+TEST_CASE("Neighbours in memory are neighbours in space") {
+  const Mould mould(procedural_shape(1, 1));
+  const Filling f = fill_mono(mould, 10, {}, 1, 1);
+  double along = 0;
+  for (std::size_t k = 1; k < f.centres.size(); ++k) along += norm(f.centres[k] - f.centres[k - 1]);
+  // In random order neighbours would be 0.6 of the rock's size apart, 13 radii.
+  CHECK(along / static_cast<double>(f.centres.size()) < 5 * f.radii[0]);
+}
+
+TEST_CASE("Ratios and gaps out of range are refused") {
+  const Mould mould(procedural_shape(1, 0));
+  CHECK_THROWS_AS(fill_mono(mould, 1.5, {}, 1, 0), BadInput);
+  CHECK_THROWS_AS(fill_mono(mould, 1e6, {}, 1, 0), BadInput);
+  CHECK_THROWS_AS(fill_mono(mould, NAN, {}, 1, 0), BadInput);
+  CHECK_THROWS_AS(fill_mono(mould, 6, {0, RelativeBondRadius{0.5}}, 1, 0), BadInput);  // touching only: it crumbles
+}
+
+TEST_CASE("Inertia of two spheres is the dumb-bell's") {
+  const double m = 4 * std::numbers::pi / 3;
+  const auto t = sphere_inertia({{1, 5, 5}, {4, 5, 5}}, {1, 1}, 1);
+  CHECK(t[0] == Approx(2 * 0.4 * m));
+  CHECK(t[1] == Approx(2 * m * (0.4 + 1.5 * 1.5)));
+  CHECK(centre_of_mass({{0, 0, 0}, {9, 0, 0}}, {1, 2}).x == Approx(8));
+}
