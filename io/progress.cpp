@@ -57,6 +57,17 @@ std::string bar(double fraction, int cells, bool colour) {
   return colour ? "\033[36m" + full + "\033[90m" + rest + "\033[0m" : full + rest;
 }
 
+/// Whole parts as far as they fit.
+std::string join(const std::vector<std::string>& parts, std::size_t room) {
+  std::string text;
+  for (const std::string& part : parts) {
+    const std::string more = text.empty() ? part : ", " + part;
+    if (text.size() + more.size() > room) break;
+    text += more;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string format_duration(double seconds) {
@@ -115,7 +126,7 @@ void Progress::update(const ProgressState& state) {
   if (style_.form == ProgressStyle::Form::silent) return;
   const double now = clock_();
   const double fraction = end_ > begin_ ? (state.time - begin_) / (end_ - begin_) : 1;
-  if (!is_due(now, fraction)) return;
+  if (!is_due(now, fraction) || state.time >= end_) return;  // the end is left to finish()
   learn_rates(now, state);
   show(now, state);
   shown_fraction_ = fraction;
@@ -150,30 +161,33 @@ void Progress::learn_rates(double now, const ProgressState& state) {
 void Progress::show(double now, const ProgressState& state) {
   const double fraction = end_ > begin_ ? std::clamp((state.time - begin_) / (end_ - begin_), 0.0, 1.0) : 1;
   const std::string percent = print("%5.1f %%", 100 * fraction);
-  const std::string words = describe(now, state);
+  const std::vector<std::string> parts = describe(now, state);
   if (style_.form == ProgressStyle::Form::live) {
     constexpr int cells = 16;
     const int width = style_.width > 0 ? style_.width : terminal_width();
     // Everything but the bar is plain ASCII; the last column stays free, a full line would wrap.
-    const int room = std::max(0, width - 1 - cells - static_cast<int>(percent.size()) - 3);
+    const int room = width - 1 - cells - static_cast<int>(percent.size()) - 3;
     out_ << "\r\033[K" << bar(fraction, cells, style_.colour) << ' ' << percent << "  "
-         << words.substr(0, static_cast<std::size_t>(room)) << std::flush;
+         << join(parts, static_cast<std::size_t>(std::max(0, room))) << std::flush;
   } else {
-    out_ << percent << "  " << words << '\n' << std::flush;
+    out_ << percent << "  " << join(parts, std::string::npos) << '\n' << std::flush;
   }
   shown_at_ = now;
 }
 
-std::string Progress::describe(double now, const ProgressState& state) const {
+/// The most wanted first: what does not fit the terminal is left out.
+std::vector<std::string> Progress::describe(double now, const ProgressState& state) const {
   const bool over = state.time >= end_;
   const double left = time_rate_ > 0 ? (end_ - state.time) / time_rate_ : -1;
-  std::string text = "t " + print("%.4g", state.time) + print(" of %.4g s", end_);
-  text += over ? ", took " + format_duration(now - started_) : ", " + format_duration(left) + " left";
-  text += ", " + format_count(step_rate_) + " particle-steps/s, " + std::to_string(state.particles) + " particles";
-  if (state.bonds_broken) text += ", " + std::to_string(*state.bonds_broken) + " bonds broken";
-  if (state.eccentric_speed) text += print(", %.1f rpm", *state.eccentric_speed * 30 / std::numbers::pi);
-  if (state.crushing_power) text += print(", %.1f kW", *state.crushing_power / 1e3);
-  return text;
+  std::vector<std::string> parts;
+  parts.push_back("t " + print("%.4g", state.time) + print(" of %.4g s", end_));
+  parts.push_back(over ? "took " + format_duration(now - started_) : format_duration(left) + " left");
+  parts.push_back(format_count(step_rate_) + " particle-steps/s");
+  parts.push_back(std::to_string(state.particles) + " particles");
+  if (state.bonds_broken) parts.push_back(std::to_string(*state.bonds_broken) + " bonds broken");
+  if (state.eccentric_speed) parts.push_back(print("%.1f rpm", *state.eccentric_speed * 30 / std::numbers::pi));
+  if (state.crushing_power) parts.push_back(print("%.1f kW", *state.crushing_power / 1e3));
+  return parts;
 }
 
 }  // namespace gyro

@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gyro {
 
@@ -46,7 +47,7 @@ class Progress {
   bool is_due(double now, double fraction) const;
   void learn_rates(double now, const ProgressState& state);
   void show(double now, const ProgressState& state);
-  std::string describe(double now, const ProgressState& state) const;
+  std::vector<std::string> describe(double now, const ProgressState& state) const;
 
   double begin_, end_;
   ProgressStyle style_;

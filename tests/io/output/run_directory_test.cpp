@@ -73,7 +73,7 @@ TEST_CASE("A half-done run asks for --resume or --overwrite") {
   CHECK_THROWS_AS(open_run_directory({.out = scratch.path(), .resume = true, .overwrite = true}), BadInput);
 }
 
-TEST_CASE("--overwrite removes what a run wrote and nothing else") {
+TEST_CASE("Option --overwrite removes what a run wrote and nothing else") {
   const ScratchDirectory scratch;
   for (const char* name : {"results.h5", "log.txt", "case.yaml", "checkpoint.h5", "checkpoint.h5.tmp", "walls.pvd",
                            "snapshots/particles_000000.vtp", "snapshots/walls_1000000.vtp"})
