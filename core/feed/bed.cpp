@@ -46,7 +46,9 @@ void Bed::add(const Vec3d& centre, double radius) {
 }
 
 double Bed::raised(const Vec3d& centre, double radius, double gap) const {
-  for (const auto& [number, level] : levels_) {
+  // Large spheres first: they are quickly asked for and raise most.
+  for (auto entry = levels_.rbegin(); entry != levels_.rend(); ++entry) {
+    const auto& [number, level] = *entry;
     const double reach = radius + level.largest + gap;
     const Vec3d corner{reach, reach, reach};
     const Vec3<Index> low = cell_of(centre - corner, level.cell), high = cell_of(centre + corner, level.cell);

@@ -11,6 +11,11 @@
 namespace gyro {
 namespace {
 
+/// Without hypot's care for overflow, which costs here.
+double radius_of(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+
 Vec3d on_ring(double inner, double outer, double u, double v) {
   const double r = std::sqrt(inner * inner + u * (outer * outer - inner * inner)), t = 2 * std::numbers::pi * v;
   return {r * std::cos(t), r * std::sin(t), 0};
@@ -86,7 +91,7 @@ double PlaceRegion::raised(const WallSet& walls, const Vec3d& c, double radius) 
     return inside ? c.z : never;
   }
   if (const auto* cylinder = std::get_if<CylinderRegion>(&region_)) {
-    const double r = std::hypot(c.x - cylinder->base.x, c.y - cylinder->base.y);
+    const double r = radius_of(c.x - cylinder->base.x, c.y - cylinder->base.y);
     return r + radius <= cylinder->radius ? c.z : never;
   }
   return chamber_holds(std::get<ChamberRegion>(region_), walls, c, radius) ? c.z : c.z + radius / 4;
@@ -96,12 +101,12 @@ double PlaceRegion::raised(const WallSet& walls, const Vec3d& c, double radius) 
 bool PlaceRegion::chamber_holds(const ChamberRegion& chamber, const WallSet& walls, const Vec3d& c,
                                 double radius) const {
   const Vec3d at_outer = to_body(walls.pose(chamber.outer), c);
-  const double outer_radius = std::hypot(at_outer.x, at_outer.y);
+  const double outer_radius = radius_of(at_outer.x, at_outer.y);
   if (outer_radius > outer_->at(at_outer.z)) return false;
   if (at_outer.z > outer_->high() && outer_radius + radius > outer_->at(at_outer.z)) return false;
   if (!inner_) return true;
   const Vec3d at_inner = to_body(walls.pose(chamber.inner), c);
-  return std::hypot(at_inner.x, at_inner.y) >= inner_->at(at_inner.z);
+  return radius_of(at_inner.x, at_inner.y) >= inner_->at(at_inner.z);
 }
 
 BoxRegion PlaceRegion::bounds() const {

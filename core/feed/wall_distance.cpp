@@ -87,7 +87,7 @@ double WallDistance::at(const WallPose& pose, const Vec3d& point) const {
 }
 
 double WallDistance::to_profile(const Vec3d& body) const {
-  const double r = std::hypot(body.x, body.y), z = body.z;
+  const double r = std::sqrt(body.x * body.x + body.y * body.y), z = body.z;
   double nearest2 = reach_ * reach_;
   double crossing = std::numeric_limits<double>::infinity();  // horizontal way to the surface
   bool behind = false;
