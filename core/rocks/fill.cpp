@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 namespace gyro {
 namespace {
@@ -153,8 +154,9 @@ Filling fill_mono(const Mould& mould, double ratio, const BondRule& rule, std::u
     if (m < best_misfit) best = std::move(filling), best_misfit = m;
   }
   if (best.centres.empty()) {
-    throw BadInput("with bonds.gap " + std::to_string(rule.gap) +
-                   " the particles of a rock do not hold together; accepted are larger gaps, 0.05 is usual");
+    throw BadInput("the particles of a rock do not hold together at fill ratio " + std::to_string(ratio) +
+                   " and bonds.gap " + std::to_string(rule.gap) +
+                   ": its shape is too thin or the gap too small; accepted are larger ratios and gaps, 0.05 is usual");
   }
   return best;
 }

@@ -32,7 +32,7 @@ inline constexpr double least_fill_ratio = 2, greatest_fill_ratio = 50;
 /// inertia are nearest to that of the full packing in the shape; spheres not bonded to the largest
 /// piece are left out.
 /// @param rock number of the rock under this seed
-/// @throws BadInput ratio out of range; gap so small that the spheres do not hold together
+/// @throws BadInput ratio out of range; shape so thin or gap so small that the spheres do not hold together
 Filling fill_mono(const Mould& mould, double ratio, const BondRule& rule, std::uint64_t seed, std::uint64_t rock);
 
 /// Inertia tensor {xx, yy, zz, xy, yz, zx} of spheres of one density about their centre of mass [kg m2].

@@ -3,6 +3,7 @@
 #include "core/base/errors.hpp"
 #include "core/rocks/packing.hpp"
 #include "tests/catch.hpp"
+#include "tests/geometry/meshes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,12 @@ TEST_CASE("Ratios and gaps out of range are refused") {
   CHECK_THROWS_AS(fill_mono(mould, 1.5, {}, 1, 0), BadInput);
   CHECK_THROWS_AS(fill_mono(mould, 1e6, {}, 1, 0), BadInput);
   CHECK_THROWS_AS(fill_mono(mould, NAN, {}, 1, 0), BadInput);
-  CHECK_THROWS_AS(fill_mono(mould, 6, {0, RelativeBondRadius{0.5}}, 1, 0), BadInput);  // touching only: it crumbles
+}
+
+TEST_CASE("A plate thinner than its particles is refused: it would crumble") {
+  const Mould plate(make_shape(block({10, 10, 0.1})));
+  CHECK_THROWS_WITH(fill_mono(plate, 4, {}, 1, 0), Catch::Matchers::Contains("do not hold together"));
+  CHECK_NOTHROW(fill_mono(plate, 40, {}, 1, 0));
 }
 
 TEST_CASE("Inertia of two spheres is the dumb-bell's") {

@@ -167,6 +167,15 @@ TEST_CASE("Rocks from files, also ones that are not convex, and the cache sees t
   CHECK(make_library(recipe, cache.path.string()).notes == changed.notes);
 }
 
+TEST_CASE("An error in the parallel part arrives") {
+  const TemporaryFolder folder("plate");
+  LibraryRecipe recipe = small_recipe();
+  const std::string plate = (folder.path / "plate.stl").string();
+  write_stl(plate, block({10, 10, 0.1}));
+  recipe.shapes = ShapeFiles{{plate}};
+  CHECK_THROWS_AS(make_library(recipe, ""), BadInput);
+}
+
 TEST_CASE("Recipes out of range are refused") {
   const auto refused = [](auto change) {
     LibraryRecipe recipe = small_recipe();
@@ -181,7 +190,6 @@ TEST_CASE("Recipes out of range are refused") {
   refused([](LibraryRecipe& r) { r.rock_density = 0; });
   refused([](LibraryRecipe& r) { r.sizes = PassingTable{}; });
   refused([](LibraryRecipe& r) { r.bond_rule.gap = -1; });
-  refused([](LibraryRecipe& r) { r.bond_rule.gap = 0; });  // found in the parallel part
   refused([](LibraryRecipe& r) { r.bond_parameters.damping = NAN; });
   refused([](LibraryRecipe& r) { r.bed.number = -1; });
 }

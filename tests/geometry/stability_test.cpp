@@ -109,7 +109,8 @@ TEST_CASE("At the critical step the largest eigenvalue is 4, by a dense solver")
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(map, Eigen::EigenvaluesOnly);
   CHECK(solver.eigenvalues().maxCoeff() == Approx(4).epsilon(3e-4));
   CHECK(gershgorin_step(rock, bonds_with(damping), bed) <= dt);
-  CHECK(gershgorin_step(rock, bonds_with(damping), bed) > 0.5 * dt);
+  CHECK(gershgorin_step(rock, bonds_with(damping), bed) > 0.4 * dt);  // row sums count double where damping rules
+  CHECK(gershgorin_step(rock, bonds_with(0), no_bed) > 0.55 * critical_step(rock, bonds_with(0), no_bed));
 }
 
 TEST_CASE("The step map stays bounded below the limit and grows without bound above") {
@@ -131,8 +132,8 @@ TEST_CASE("Rocks of equal particles reach the published share of the pair's limi
   const RockTemplate rock = cluster(6, row.diameter, {0.05, RelativeBondRadius{row.factor}});
   const double dt = critical_step(rock, bonds_with(0), no_bed);
   INFO("step " << dt << " against " << row.step << ", ratio " << dt / row.step);
-  CHECK(dt / row.step > 0.8);
-  CHECK(dt / row.step < 1.25);
+  CHECK(dt / row.step > 0.9);
+  CHECK(dt / row.step < 1.1);
 }
 
 TEST_CASE("Bonds thicker than their particles: absolute radius 5 mm") {
@@ -143,8 +144,8 @@ TEST_CASE("Bonds thicker than their particles: absolute radius 5 mm") {
   const RockTemplate rock = cluster(6, row.diameter, {0.05, AbsoluteBondRadius{0.005}});
   const double ratio = critical_step(rock, bonds_with(0), no_bed) / row.step;
   INFO("ratio " << ratio);
-  CHECK(ratio > 0.8);
-  CHECK(ratio < 1.25);
+  CHECK(ratio > 0.9);
+  CHECK(ratio < 1.1);
 }
 
 TEST_CASE("Damping of each bond lowers a rock's limit more than a pair's") {
