@@ -13,16 +13,7 @@ GYRO_HD inline double competition(double cosine) {
   return k > 0 ? k : 0;
 }
 
-/// Height of point a above the tangent plane of point b [m]; 0 when a lies on or below it.
-/// The edges and vertices of a touched face lie on its plane, hidden back faces below it: this one
-/// rule makes faces beat edges and edges beat vertices, whatever the triangulation.
-GYRO_HD inline double rise_above(const NearPoint& a, const NearPoint& b) {
-  constexpr double rounding = 1e-10;  // relative; below the square of NearPoints::same_point / 2
-  const double rise = b.height - dot(a.normal, b.normal) * a.height;
-  return rise > rounding * b.height ? rise : 0;
-}
-
-/// Weights of the sorted points of one wall for a sphere of radius R.
+/// Weights of the visible points of one wall for a sphere of radius R.
 ///
 ///   d_i  = R - h_i                            overlap at point i, at height h_i below the centre
 ///   s_ij = max(0, h_j - n_i.n_j h_i)          height of point i above the tangent plane of j
@@ -33,14 +24,15 @@ GYRO_HD inline double rise_above(const NearPoint& a, const NearPoint& b) {
 ///
 /// Each term is symmetric under exchange of two points and continuous in the centre: a point comes
 /// and goes with presence 0, whether its overlap or its distance to a seam vanishes, and one with
-/// presence 0 changes no other. Parallel normals share one weight, sum w = 1; in a flat seam w is
-/// the share of the distance to the seam; beyond 60 degrees every w = 1.
-template <int Capacity>
+/// presence 0 changes no weight of others. Parallel normals share one weight, sum w = 1; in a flat
+/// seam w is the share of the distance to the seam; beyond 60 degrees every w = 1. (What a vanishing
+/// point alone has hidden appears at once: that takes three points within 60 degrees, one of them on
+/// a ridge.)
 struct MergeWeights {
-  double weight[Capacity];
+  double weight[VisiblePoints::capacity];
 
-  GYRO_HD MergeWeights(const NearPoints<Capacity>& points, double radius) {
-    double firmness[Capacity], presence[Capacity];
+  GYRO_HD MergeWeights(const VisiblePoints& points, double radius) {
+    double firmness[VisiblePoints::capacity], presence[VisiblePoints::capacity];
     const int n = points.count;
     for (int j = 0; j < n; ++j) {
       firmness[j] = radius - points.point[j].height;
@@ -56,14 +48,14 @@ struct MergeWeights {
         if (j != i) {
           const double k = competition(dot(points.point[i].normal, points.point[j].normal));
           const double rise = rise_above(points.point[i], points.point[j]);
-          presence[i] *= rise > 0 ? rise / (rise + k * firmness[j]) : 0;
+          if (rise > 0) presence[i] *= rise / (rise + k * firmness[j]);
         }
     }
     for (int i = 0; i < n; ++i) {
       double sum = presence[i];
       for (int j = 0; j < n; ++j)
         if (j != i) sum += competition(dot(points.point[i].normal, points.point[j].normal)) * presence[j];
-      weight[i] = presence[i] > 0 ? presence[i] / sum : 0;
+      weight[i] = presence[i] / sum;
     }
   }
 };
@@ -96,23 +88,19 @@ GYRO_HD inline void make_room(WallTouch* touch, int& count) {
   touch[k] = moved;
 }
 
-/// The touches of a sphere with one wall from the closest points of the wall's pieces.
-template <int Capacity>
-GYRO_HD WallTouches merged_touches(NearPoints<Capacity>& points, double radius) {
+/// The touches of a sphere with one wall from its visible points.
+GYRO_HD inline WallTouches merged_touches(const VisiblePoints& points, double radius) {
   WallTouches result;
-  if (points.count == 0) return result;
   if (points.count == 1) {
     result.touch[0] = {points.point[0].normal, points.point[0].height - radius, 1};
     result.count = 1;
-    return result;
   }
-  points.sort();
-  const MergeWeights<Capacity> weights(points, radius);
-  WallTouch touch[Capacity];
-  int count = 0;
-  for (int i = 0; i < points.count; ++i)
-    if (weights.weight[i] > 0)
-      touch[count++] = {points.point[i].normal, points.point[i].height - radius, weights.weight[i]};
+  if (points.count <= 1) return result;
+  const MergeWeights weights(points, radius);
+  WallTouch touch[VisiblePoints::capacity];
+  int count = points.count;
+  for (int i = 0; i < count; ++i)
+    touch[i] = {points.point[i].normal, points.point[i].height - radius, weights.weight[i]};
   while (count > WallTouches::capacity) make_room(touch, count);
   for (int i = 0; i < count; ++i) result.touch[i] = touch[i];
   result.count = count;

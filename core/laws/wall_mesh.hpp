@@ -60,7 +60,7 @@ struct ListNear {
     while (place > 0 && ids[place - 1] > id) --place;
     if (place > 0 && ids[place - 1] == id) return;
     NearPoint unused;
-    if (!near_triangle(triangles[id], centre, reach, unused)) return;
+    if (near_triangle(triangles[id], centre, reach, unused) == Place::out_of_reach) return;
     if (count == capacity) {
       full = true;
       return;
@@ -81,24 +81,51 @@ GYRO_HD inline Index triangles_near(const MeshView& mesh, const Vec3d& centre, d
   return list.full ? capacity + 1 : list.count;
 }
 
-/// Visitor that gathers the closest points.
-struct GatherPoints {
+/// Visitor that looks whether some triangle surpasses a point.
+struct FindSurpassing {
   const WallTriangle* triangles;
+  const NearPoint& point;
+  Vec3d centre;
+  bool found = false;
+
+  GYRO_HD void operator()(Index id) { found = found || surpasses(triangles[id], point, centre); }
+};
+
+/// Visitor that offers the points of triangles to a finder.
+struct OfferPoint {
+  const MeshView& mesh;
   Vec3d centre;
   double radius;
-  NearPoints<12> points;
+  FindDeepest& finder;
 
   GYRO_HD void operator()(Index id) {
     NearPoint p;
-    if (near_triangle(triangles[id], centre, radius, p)) points.add(p);
+    const Place place = near_triangle(mesh.triangles[id], centre, radius, p);
+    if (place == Place::out_of_reach || !finder.wants(p, place)) return;
+    if (place == Place::rim && finder.before.count > 0) {
+      FindSurpassing surpassing{mesh.triangles, p, centre};
+      visit_near(mesh, centre, radius, surpassing);
+      if (surpassing.found) return;
+    }
+    finder.take(p, place);
+  }
+};
+
+/// The points of a mesh that a sphere overlaps, as PointsOfTriangles.
+struct PointsOfMesh {
+  const MeshView& mesh;
+  Vec3d centre;
+  double radius;
+
+  GYRO_HD void operator()(FindDeepest& finder) const {
+    OfferPoint offer{mesh, centre, radius, finder};
+    visit_near(mesh, centre, radius, offer);
   }
 };
 
 /// Touches of a sphere with a mesh, straight from the grid, in the body frame.
 GYRO_HD inline WallTouches touch_mesh(const MeshView& mesh, const Vec3d& centre, double radius) {
-  GatherPoints gather{mesh.triangles, centre, radius, {}};
-  visit_near(mesh, centre, radius, gather);
-  return merged_touches(gather.points, radius);
+  return merged_touches(visible_points(PointsOfMesh{mesh, centre, radius}), radius);
 }
 
 }  // namespace gyro

@@ -72,7 +72,7 @@ GYRO_HD inline SegmentRange segments_near(const ProfileView& profile, const Vec3
 /// A closest point in the half-plane: unit normal and signed height, negative behind the surface.
 struct SectionTouch {
   double normal_r, normal_z, height;
-  Feature feature;
+  Place place;
 };
 
 /// Corner at the begin of segment k (the end of the last one for k == count), for a point beyond
@@ -84,34 +84,86 @@ GYRO_HD inline SectionTouch corner_touch(const ProfileView& profile, Index k, co
   const double r = p.r - r0, z = p.z - z0;
   double height = ::sqrt(r * r + z * z);
   const ProfileSegment& after = profile.segments[k < profile.count ? k : profile.count - 1];
-  if (!(height > 0)) return {-after.direction_z, after.direction_r, 0, Feature::vertex};
+  if (!(height > 0)) return {-after.direction_z, after.direction_r, 0, Place::rim};
   if (k > 0 && k < profile.count) {
     const ProfileSegment& before = profile.segments[k - 1];
     const double left = z * (before.direction_r + after.direction_r) - r * (before.direction_z + after.direction_z);
     if (left < 0) height = -height;
   }
-  return {r / height, z / height, height, Feature::vertex};
+  return {r / height, z / height, height, Place::rim};
 }
 
-/// Collects the fronts that a sphere overlaps, and the nearest back in case there is no front:
-/// the normal does not flip when the centre passes through the surface.
-struct SectionTouches {
-  static constexpr int capacity = 6;
-  NearPoints<capacity> fronts;
-  SectionTouch back{0, 0, 0, Feature::face};
-  bool has_back = false;
+/// The half-plane through the axis and a sphere's centre. On the axis that of +x is taken.
+struct Section {
+  SectionPoint centre;
+  Vec3d outward;  ///< unit, away from the axis
 
-  GYRO_HD void add(const SectionTouch& t, const Vec3d& outward, double radius) {
-    if (t.height >= radius || t.height <= -radius) return;
-    if (t.height >= 0) {
-      fronts.add({in_space(t, outward), t.height, t.feature});
-    } else if (!has_back || t.height > back.height) {
-      back = t;
-      has_back = true;
-    }
+  GYRO_HD explicit Section(const Vec3d& c) : centre{::sqrt(c.x * c.x + c.y * c.y), c.z}, outward{1, 0, 0} {
+    if (centre.r > 0) outward = {c.x / centre.r, c.y / centre.r, 0};
   }
-  GYRO_HD static Vec3d in_space(const SectionTouch& t, const Vec3d& outward) {
-    return {t.normal_r * outward.x, t.normal_r * outward.y, t.normal_z};
+  GYRO_HD NearPoint in_space(const SectionTouch& t) const {
+    return {{t.normal_r * outward.x, t.normal_r * outward.y, t.normal_z}, t.height};
+  }
+};
+
+/// The closest points of a range of segments, fronts and backs.
+struct PointsOfProfile {
+  const ProfileView& profile;
+  SegmentRange range;
+  const Section& section;
+
+  template <class Visit>
+  GYRO_HD void operator()(Visit& visit) const {
+    const SectionPoint& p = section.centre;
+    bool beyond_last = range.first == 0 || relative_to(profile.segments[range.first - 1], p).along >=
+                                               profile.segments[range.first - 1].length;
+    for (Index k = range.first; k < range.last; ++k) {
+      const ProfileSegment& s = profile.segments[k];
+      const AlongLeft q = relative_to(s, p);
+      if (q.along > 0 && q.along < s.length)
+        visit(SectionTouch{-s.direction_z, s.direction_r, q.left, Place::inside});
+      else if (q.along <= 0 && beyond_last)
+        visit(corner_touch(profile, k, p));
+      beyond_last = q.along >= s.length;
+    }
+    if (range.last == profile.count && range.first < range.last && beyond_last)
+      visit(corner_touch(profile, profile.count, p));
+  }
+};
+
+/// Visitor that offers the fronts nearer than the radius to a finder, and keeps the nearest back.
+struct OfferFront {
+  const Section& section;
+  double radius;
+  FindDeepest& finder;
+  SectionTouch back;  ///< height -radius: none
+  int fronts = 0;
+
+  GYRO_HD void operator()(const SectionTouch& t) {
+    if (t.height >= radius) return;
+    if (t.height < 0) {
+      if (t.height > back.height) back = t;
+      return;
+    }
+    ++fronts;
+    offer(t);
+  }
+  GYRO_HD void offer(const SectionTouch& t) {
+    const NearPoint p = section.in_space(t);
+    if (finder.wants(p, t.place)) finder.take(p, t.place);
+  }
+};
+
+/// The fronts that a sphere overlaps; when there are none, the nearest back with its height below
+/// 0: the normal does not flip when the centre passes through the surface.
+struct FrontsOfProfile {
+  PointsOfProfile points;
+  double radius;
+
+  GYRO_HD void operator()(FindDeepest& finder) const {
+    OfferFront fronts{points.section, radius, finder, {0, 0, -radius, Place::out_of_reach}};
+    points(fronts);
+    if (fronts.fronts == 0 && fronts.back.height > -radius) fronts.offer(fronts.back);
   }
 };
 
@@ -119,7 +171,7 @@ struct SectionTouches {
 ///
 /// The closest points of the surface lie in the half-plane through the axis and the centre (for a
 /// sphere smaller than the surface's own radius there), so that the curvature around the axis is
-/// exact. On the axis the half-plane of +x is taken.
+/// exact.
 ///
 /// @param range   segments to look at, from segments_near()
 /// @param centre  of the sphere [m], body frame
@@ -127,31 +179,8 @@ struct SectionTouches {
 /// @return normals in the body frame
 GYRO_HD inline WallTouches touch_profile(const ProfileView& profile, const SegmentRange& range, const Vec3d& centre,
                                          double radius) {
-  const double rho = ::sqrt(centre.x * centre.x + centre.y * centre.y);
-  const Vec3d outward = rho > 0 ? Vec3d{centre.x / rho, centre.y / rho, 0} : Vec3d{1, 0, 0};
-  const SectionPoint p{rho, centre.z};
-  SectionTouches found;
-  bool beyond_last = range.first == 0 || relative_to(profile.segments[range.first - 1], p).along >=
-                                             profile.segments[range.first - 1].length;
-  for (Index k = range.first; k < range.last; ++k) {
-    const ProfileSegment& s = profile.segments[k];
-    const AlongLeft q = relative_to(s, p);
-    if (q.along > 0 && q.along < s.length)
-      found.add({-s.direction_z, s.direction_r, q.left, Feature::face}, outward, radius);
-    else if (q.along <= 0 && beyond_last)
-      found.add(corner_touch(profile, k, p), outward, radius);
-    beyond_last = q.along >= s.length;
-  }
-  if (range.last == profile.count && range.first < range.last && beyond_last)
-    found.add(corner_touch(profile, profile.count, p), outward, radius);
-
-  if (found.fronts.count == 0 && found.has_back) {
-    WallTouches result;
-    result.touch[0] = {SectionTouches::in_space(found.back, outward), found.back.height - radius, 1};
-    result.count = 1;
-    return result;
-  }
-  return merged_touches(found.fronts, radius);
+  const Section section(centre);
+  return merged_touches(visible_points(FrontsOfProfile{{profile, range, section}, radius}), radius);
 }
 
 }  // namespace gyro

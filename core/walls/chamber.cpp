@@ -9,7 +9,7 @@
 namespace gyro {
 namespace {
 
-/// Radius of one liner at a height, straight between the rows; `shift` lifts the rows.
+/// Radius of one liner at a height, straight between the rows and beyond; `shift` lifts the rows.
 double radius_at(const std::vector<LinerRow>& rows, double LinerRow::*radius, double shift, double z) {
   std::size_t i = 1;
   while (i + 1 < rows.size() && rows[i].z + shift < z) ++i;
@@ -22,7 +22,7 @@ double radius_at(const std::vector<LinerRow>& rows, double LinerRow::*radius, do
 struct Chamber {
   const Liners& liners;
 
-  double bottom() const { return liners.rows.front().z + std::max(liners.motion.lift, 0.0); }
+  double bottom() const { return liners.rows.front().z; }
   double top() const { return liners.rows.back().z + std::min(liners.motion.lift, 0.0); }
   double mantle(double z) const { return radius_at(liners.rows, &LinerRow::mantle_radius, liners.motion.lift, z); }
   double concave(double z) const { return radius_at(liners.rows, &LinerRow::concave_radius, 0, z); }
@@ -76,6 +76,7 @@ LinerLevel slice_at(const Liners& liners, double z, double speed, double gravity
   constexpr int steps = 256;
   double drop = fall;
   for (int i = 1; i <= steps; ++i) {
+    if (z - fall * i / steps < chamber.bottom()) break;  // out of the chamber: nothing holds it
     if (chamber.open_gap(z - fall * i / steps) > nipped) continue;
     double before = fall * (i - 1) / steps, after = fall * i / steps;
     for (int halving = 0; halving < 40; ++halving) {

@@ -46,11 +46,25 @@ ProfileShape concave_of(std::span<const LinerRow> rows, double collar) {
   return shape;
 }
 
-ProfileShape mantle_of(std::span<const LinerRow> rows) {
+/// The mantle's flank in its own frame, upwards. It begins where the lifted mantle meets the lowest
+/// level: cut off there, or prolonged in the direction of the lowest piece.
+Polyline flank(std::span<const LinerRow> rows, double lift) {
+  const double begin = rows.front().z - lift;
+  std::size_t next = 1;  // first row above the begin, but the last at most
+  while (next + 1 < rows.size() && rows[next].z <= begin) ++next;
+  const LinerRow &a = rows[next - 1], &b = rows[next];
+  const double slope = (b.mantle_radius - a.mantle_radius) / (b.z - a.z);
+  Polyline line{{a.mantle_radius + slope * (begin - a.z), begin}};
+  for (std::size_t i = next; i < rows.size(); ++i) line.push_back({rows[i].mantle_radius, rows[i].z});
+  return line;
+}
+
+ProfileShape mantle_of(std::span<const LinerRow> rows, double lift) {
+  const Polyline line = flank(rows, lift);
   ProfileShape shape;
-  shape.points.push_back({0, rows.back().z + rows.back().mantle_radius});
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) shape.points.push_back({row->mantle_radius, row->z});
-  shape.points.push_back({0, rows.front().z});
+  shape.points.push_back({0, line.back().z + line.back().r});
+  shape.points.insert(shape.points.end(), line.rbegin(), line.rend());
+  shape.points.push_back({0, line.front().z});
   return shape;
 }
 
@@ -66,9 +80,9 @@ Polyline discharge_zone(const Liners& liners) {
 Polyline tilted_mantle(const Liners& liners, double lift, double s) {
   const double c = std::sqrt((1 - s) * (1 + s)), pivot = liners.setting.pivot_height;
   Polyline line;
-  for (const LinerRow& row : liners.rows) {
-    const double along = row.z + lift - pivot;
-    line.push_back({c * row.mantle_radius - s * along, pivot + c * along + s * row.mantle_radius});
+  for (const ProfilePoint& p : flank(liners.rows, lift)) {
+    const double along = p.z + lift - pivot;
+    line.push_back({c * p.r - s * along, pivot + c * along + s * p.r});
   }
   return line;
 }
@@ -82,9 +96,9 @@ Liners make_liners(std::span<const LinerRow> rows, const LinerSetting& setting) 
   liners.rows.assign(rows.begin(), rows.end());
   liners.setting = setting;
   liners.concave = concave_of(rows, setting.collar);
-  liners.mantle = mantle_of(rows);
   liners.motion = {setting.eccentricity, setting.pivot_height, 0};
   liners.motion.lift = solve_lift(liners);
+  liners.mantle = mantle_of(rows, liners.motion.lift);
   return liners;
 }
 
@@ -105,8 +119,8 @@ double solve_lift(const Liners& liners) {
   for (double step = most / 64; step <= most && excess(high) > 0; step *= 2) high = step;
   require(excess(low) >= 0 && excess(high) <= 0,
           "closed_side_setting of " + std::to_string(wanted) + " m cannot be had by lifting the mantle; between " +
-              std::to_string(std::max(side_setting(liners, most, true), 0.0)) + " and " +
-              std::to_string(side_setting(liners, -most, true)) + " m are accepted");
+              std::to_string(std::max(side_setting(liners, high, true), 0.0)) + " and " +
+              std::to_string(side_setting(liners, low, true)) + " m are accepted");
   while (high - low > 1e-12 * most) {
     const double middle = (low + high) / 2;
     (excess(middle) >= 0 ? low : high) = middle;

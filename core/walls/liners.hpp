@@ -28,7 +28,7 @@ struct Liners {
   std::vector<LinerRow> rows;
   LinerSetting setting;
   ProfileShape concave;   ///< rock inside; open at the top and at the discharge
-  ProfileShape mantle;    ///< rock outside; closed by a cone of 45 degrees on top and a flat bottom
+  ProfileShape mantle;    ///< rock outside; a cone of 45 degrees on top, a flat bottom at the lowest level
   GyrationMotion motion;  ///< with the lift that imposes the setting
 };
 
@@ -37,10 +37,11 @@ struct Liners {
 /// @throws BadInput when rows or setting make no chamber, or no lift gives the setting
 Liners make_liners(std::span<const LinerRow> rows, const LinerSetting& setting);
 
-/// Distance of mantle and concave on one side of the plane that holds both axes, where the mantle is
+/// Distance of mantle and concave, for a lift, on one side of the plane that holds both axes, where the mantle is
 /// nearest and farthest: the shortest from any point of the concave's lowest tenth (above z = 0) to
 /// the mantle [m]. Both surfaces are of revolution, so a gyration turns this picture about z and
-/// changes nothing in it. -1 when they overlap.
+/// changes nothing in it. -1 when they overlap. Open - closed is 2 e0 but for the rise of the tilted
+/// mantle's lip, e0 R / Lp (0.8 mm of 43.4 mm for a 62-75).
 double side_setting(const Liners& liners, double lift, bool closed_side);
 
 /// Lift that gives the closed side setting, within 1e-9 m. Lifting closes the gap.

@@ -10,9 +10,13 @@
 namespace gyro {
 namespace {
 
-/// A triangle is without area when its height is below this part of its longest edge: far beyond
-/// needles of aspect 1e6, and where the normal is rounding only.
-constexpr double least_height = 1e-12;
+/// A triangle counts as without area when rounding of its corners may turn its normal by more than
+/// 1e-7 rad: its height is below 2^-52 / 1e-7 of its largest coordinate (2 nm at 1 m).
+constexpr double least_height = 2.2e-9;
+
+double largest_coordinate(const Vec3d& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 constexpr Index cells_per_triangle = 16, largest_span = 512;
 
 bool less(const Vec3d& a, const Vec3d& b) {
@@ -97,8 +101,9 @@ void MeshGrid::take(const MeshShape& shape) {
     const auto corner = [&](Index i) { return shape.vertices[static_cast<std::size_t>(i)]; };
     const Vec3d a = corner(t.x), b = corner(t.y), c = corner(t.z);
     const Vec3d area = cross(b - a, c - a);
-    const double longest2 = std::max({norm2(b - a), norm2(c - b), norm2(a - c)});
-    if (norm(area) > least_height * longest2)
+    const double longest = std::sqrt(std::max({norm2(b - a), norm2(c - b), norm2(a - c)}));
+    const double reach = std::max({largest_coordinate(a), largest_coordinate(b), largest_coordinate(c)});
+    if (norm(area) > least_height * reach * longest)
       triangles_.push_back({a, b, c, 1 / norm(area) * area});
     else
       ++degenerate_;
