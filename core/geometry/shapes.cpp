@@ -20,6 +20,8 @@ RockShape make_shape(const TriangleMesh& solid) {
     v = {dot(principal.axes[0], v), dot(principal.axes[1], v), dot(principal.axes[2], v)};
   }
   shape.inertia = std::pow(scale, 5) * principal.moments;
+  constexpr std::size_t fine_scan = 2000;  // a scan has a million triangles, and every template keeps a preview
+  shape.preview = shape.surface.triangles.size() <= fine_scan ? shape.surface : convex_hull(shape.surface.vertices);
   shape.sieve_size = sieve_size(shape.surface.vertices);
   return shape;
 }

@@ -11,6 +11,7 @@ namespace gyro {
 struct RockShape {
   TriangleMesh surface;
   Vec3d inertia{0, 0, 0};  ///< principal moments at unit density about the centroid, ascending [m5]
+  TriangleMesh preview;    ///< the surface, or its convex hull where the surface has above 2000 triangles
   double sieve_size = 0;   ///< smallest square mesh that lets the shape through [m]
 };
 

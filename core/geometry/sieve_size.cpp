@@ -36,6 +36,29 @@ Frame across(const Vec3d& d) {
   return {unit, cross(d, unit)};
 }
 
+/// Unit vector at the height z, the k-th of a spiral that is even over the sphere.
+Vec3d spread_direction(double z, int k) {
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(k * golden_turn), r * std::sin(k * golden_turn), z};
+}
+
+/// Of many hull vertices those that are outermost in some of 1000 directions: enough to find the passage.
+std::vector<Vec3d> outermost(const std::vector<Vec3d>& hull) {
+  constexpr std::size_t few = 1000;
+  if (hull.size() <= few) return hull;
+  std::vector<bool> kept(hull.size(), false);
+  for (int k = 0; k < static_cast<int>(few); ++k) {
+    const Vec3d d = spread_direction(1 - (2 * k + 1.0) / few, k);
+    const auto further = [&](const Vec3d& a, const Vec3d& b) { return dot(a, d) < dot(b, d); };
+    kept[std::max_element(hull.begin(), hull.end(), further) - hull.begin()] = true;
+  }
+  std::vector<Vec3d> points;
+  for (std::size_t v = 0; v < hull.size(); ++v) {
+    if (kept[v]) points.push_back(hull[v]);
+  }
+  return points;
+}
+
 struct Passage {
   Vec3d direction;
   double side;
@@ -81,22 +104,24 @@ double shadow_square(const std::vector<Vec3d>& points, const Vec3d& direction) {
 }
 
 double sieve_size(const std::vector<Vec3d>& all_points) {
-  const std::vector<Vec3d> points = convex_hull(all_points).vertices;  // a scan has thousands inside its hull
+  const std::vector<Vec3d> hull = convex_hull(all_points).vertices;  // a scan has thousands inside its hull
+  const std::vector<Vec3d> points = outermost(hull);
   std::vector<Passage> passages;
   for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
     passages.push_back({axis, shadow_square(points, axis)});
   }
   constexpr int directions = 150;
-  for (int k = 0; k < directions; ++k) {  // even over the upper half of the sphere
-    const double z = (k + 0.5) / directions, r = std::sqrt(1 - z * z);
-    const Vec3d d{r * std::cos(k * golden_turn), r * std::sin(k * golden_turn), z};
+  for (int k = 0; k < directions; ++k) {
+    const Vec3d d = spread_direction((k + 0.5) / directions, k);  // over half the sphere: -d is the same passage
     passages.push_back({d, shadow_square(points, d)});
   }
-  constexpr int refinements = 4;
   std::stable_sort(passages.begin(), passages.end(),
                    [](const Passage& a, const Passage& b) { return a.side < b.side; });
-  double best = passages.front().side;
-  for (int k = 0; k < refinements; ++k) best = std::min(best, refined(points, passages[k]).side);
+  constexpr int refinements = 4;
+  double best = std::numeric_limits<double>::max();
+  for (int k = 0; k < refinements; ++k) {
+    best = std::min(best, shadow_square(hull, refined(points, passages[k]).direction));
+  }
   return best;
 }
 

@@ -74,7 +74,7 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
   const Vec3d middle = centre_of_mass(filling.centres, filling.radii);
   for (const Vec3d& c : filling.centres) rock.centres.push_back(scale * (c - middle));
   for (const double r : filling.radii) rock.radii.push_back(scale * r);
-  const TriangleMesh surface = moved(mould.shape.surface, middle, scale);
+  const TriangleMesh surface = moved(mould.shape.preview, middle, scale);
   rock.hull_vertices = surface.vertices;
   rock.hull_faces = surface.triangles;
 

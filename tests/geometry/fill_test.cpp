@@ -79,7 +79,7 @@ TEST_CASE("Neighbours in memory are neighbours in space") {
   const Filling f = fill_mono(mould, 10, {}, 1, 1);
   double along = 0;
   for (std::size_t k = 1; k < f.centres.size(); ++k) along += norm(f.centres[k] - f.centres[k - 1]);
-  // In random order neighbours would be 0.6 of the rock's size apart, 13 radii.
+  // In random order: 36/35 of the rock's radius, the mean distance of two points in a ball, 10 particle radii.
   CHECK(along / static_cast<double>(f.centres.size()) < 5 * f.radii[0]);
 }
 

@@ -70,3 +70,13 @@ TEST_CASE("A shape depends on seed and number only") {
   CHECK(a.inertia.x == b.inertia.x);
   CHECK(a.inertia.x != c.inertia.x);
 }
+
+TEST_CASE("A fine scan keeps its surface for filling and its hull for previews") {
+  TriangleMesh scan = ellipsoid(1, 0.8, 0.6, 3000);
+  for (std::size_t k = 0; k < scan.vertices.size(); k += 2) scan.vertices[k] = 0.98 * scan.vertices[k];
+  const RockShape rock = make_shape(scan);
+  CHECK(rock.surface.triangles.size() == scan.triangles.size());
+  CHECK(rock.preview.triangles.size() < 0.7 * static_cast<double>(scan.triangles.size()));
+  CHECK(mass_properties(rock.preview).volume > 1);
+  CHECK(procedural_shape(1, 1).preview.triangles.size() == procedural_shape(1, 1).surface.triangles.size());
+}
