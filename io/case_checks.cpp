@@ -31,22 +31,24 @@ bool expect_name(const Setting* section, const std::string& name, const std::str
 void check_contacts(const Setting& root, CaseProblems& log) {
   const Setting* materials = root.find("materials");
   const Setting* contacts = root.find("contacts");
-  if (materials == nullptr || (contacts == nullptr && root.flawed)) return;
+  if (materials == nullptr || (contacts == nullptr && !root.lacks("contacts"))) return;
   if (materials->find("rock") == nullptr)
     log.add(materials->mark, "there is no material \"rock\", of which all particles are made; add one to materials");
   std::vector<std::pair<std::string, std::string>> given;
+  bool all_known = contacts == nullptr || contacts->lost.empty();
   for (const Setting& contact : contacts == nullptr ? std::vector<Setting>{} : contacts->children) {
     const std::size_t slash = contact.name.find('/');
     const std::string a = contact.name.substr(0, slash), b = contact.name.substr(slash + 1);
-    expect_name(materials, a, "material", contact.mark, log);
-    if (b != a) expect_name(materials, b, "material", contact.mark, log);
+    all_known &= expect_name(materials, a, "material", contact.mark, log);
+    if (b != a) all_known &= expect_name(materials, b, "material", contact.mark, log);
     const std::pair<std::string, std::string> pair = std::minmax(a, b);
     if (std::find(given.begin(), given.end(), pair) != given.end())
       log.add(contact.mark,
               "the pair " + in_quotes(contact.name) + " is given in both orders; one of them is accepted");
     given.push_back(pair);
   }
-  if (root.find("feed") == nullptr && root.find("particles") == nullptr) return;  // nothing can touch
+  // A misspelt pair is probably the one that would be missed; without particles nothing can touch.
+  if (!all_known || (root.find("feed") == nullptr && root.find("particles") == nullptr)) return;
   std::vector<std::string> partners = {"rock"};
   if (const Setting* walls = root.find("walls"))
     for (const Setting& wall : walls->children)
@@ -77,7 +79,7 @@ void check_shape(const Setting& wall, bool profile, CaseProblems& log) {
               "walls." + wall.name + " has two shapes, this one and crusher.profile; exactly one of them is accepted");
     return;
   }
-  if (mesh == plane && !wall.flawed)
+  if (mesh == plane && (mesh || (wall.lacks("stl") && wall.lacks("plane"))))
     log.add(wall.mark, "walls." + wall.name + (mesh ? " has two shapes" : " has no shape") +
                            "; exactly one of stl or plane is accepted");
 }
@@ -94,7 +96,7 @@ void check_walls(const Setting& root, CaseProblems& log) {
     expect_direction(wall.find("motion.rotation.axis"), "rotation.axis", log);
     const Setting* motion = wall.find("motion");
     const bool gyrates = motion != nullptr && !motion->texts.empty() && motion->texts[0] == "gyration";
-    if (gyrates && root.find("crusher") == nullptr && !root.flawed)
+    if (gyrates && root.lacks("crusher"))
       log.add(motion->mark, "motion: gyration needs the section crusher; add it or let the wall be fixed");
     if (gyrates && wall.find("plane") != nullptr)
       log.add(motion->mark, "a plane cannot gyrate; a wall from stl or from crusher.profile is accepted");
@@ -110,7 +112,7 @@ void check_machine(const Setting& root, CaseProblems& log) {
   }
   const Setting* drive = root.find("drivetrain");
   if (drive == nullptr) return;
-  if (root.find("crusher") == nullptr && !root.flawed)
+  if (root.lacks("crusher"))
     log.add(drive->mark, "drivetrain has nothing to turn; the section crusher is needed beside it");
   const Setting* model = drive->find("motor.model");
   const bool constant = model != nullptr && model->texts[0] == "constant_speed";
@@ -127,8 +129,7 @@ void check_machine(const Setting& root, CaseProblems& log) {
 void check_feed(const Setting& root, CaseProblems& log) {
   const Setting* feed = root.find("feed");
   if (feed == nullptr) return;
-  if (root.find("rocks") == nullptr && !root.flawed)
-    log.add(feed->mark, "feed has nothing to feed; the section rocks is needed beside it");
+  if (root.lacks("rocks")) log.add(feed->mark, "feed has nothing to feed; the section rocks is needed beside it");
   const auto has = [&](std::string_view key) { return feed->find(key) != nullptr; };
   const auto refuse = [&](const std::string& form, std::initializer_list<std::string_view> others) {
     for (const std::string_view other : others)
@@ -137,21 +138,23 @@ void check_feed(const Setting& root, CaseProblems& log) {
                                  "; exactly one of initial with rate, mass, or rocks with at is accepted");
   };
   if (has("rocks") || has("at")) {
-    refuse(has("rocks") ? "rocks" : "at", {"initial", "initial_top", "rate", "mass", "above", "start"});
-    if (!(has("rocks") && has("at")) && !feed->flawed)
+    refuse(has("rocks") ? "rocks" : "at", {"initial", "initial_top", "rate", "mass", "above"});
+    if (const Setting* start = feed->find("start"); start != nullptr && start->numbers[0] != 0)
+      log.add(start->mark, "placed rocks are there at t = 0; feed.start: 0 is accepted");
+    if (feed->lacks("rocks") || feed->lacks("at"))
       log.add(feed->mark, "feed.rocks and feed.at go together; both are accepted");
     return;
   }
   if (has("mass")) {
     refuse("mass", {"initial", "initial_top", "rate"});
-  } else if (!has("initial") && !has("rate") && !feed->flawed) {
+  } else if (feed->lacks("initial") && feed->lacks("rate") && feed->lacks("mass")) {
     log.add(feed->mark, "feed says no amount; exactly one of initial with rate, mass, or rocks with at is accepted");
   }
   if (const Setting* above = feed->find("above")) {
     if (!expect_name(root.find("walls"), above->texts[0], "wall", above->mark, log)) return;
     if (root.find("walls")->find(above->texts[0])->find("plane") != nullptr)
       log.add(above->mark, "a plane has no opening to feed above; a wall from stl or from crusher.profile is accepted");
-  } else if (!feed->flawed) {
+  } else if (feed->lacks("above")) {
     log.add(feed->mark, "feed does not say above which wall; feed.above: a name of walls is accepted");
   }
 }
@@ -197,8 +200,8 @@ void check_run(const Setting& root, CaseProblems& log) {
   if (step != nullptr && !step->numbers.empty() && interval != nullptr && step->numbers[0] > interval->numbers[0])
     log.add(step->mark, "time.step is longer than coupling.interval; a step that fits into it is accepted");
   const Setting* bonds = root.find("particles.bonds");
-  if (bonds != nullptr && root.find("bonds") == nullptr && !root.flawed)
-    log.add(bonds->mark, "particles.bonds needs the section bonds, which says how stiff and strong they are");
+  if (bonds != nullptr && root.lacks("bonds"))
+    log.add(bonds->mark, "particles.bonds needs the section bonds; their stiffness and strengths are accepted there");
 }
 
 }  // namespace

@@ -63,6 +63,10 @@ std::vector<CaseProblem> CaseProblems::sorted() const {
   };
   std::stable_sort(result.begin(), result.end(),
                    [&](const CaseProblem& a, const CaseProblem& b) { return place(a) < place(b); });
+  const auto same = [](const CaseProblem& a, const CaseProblem& b) {
+    return a.file == b.file && a.line == b.line && a.column == b.column && a.message == b.message;
+  };
+  result.erase(std::unique(result.begin(), result.end(), same), result.end());
   return result;
 }
 

@@ -126,4 +126,8 @@ const Setting* Setting::find(std::string_view path) const {
   return nullptr;
 }
 
+bool Setting::lacks(std::string_view child) const {
+  return find(child) == nullptr && std::find(lost.begin(), lost.end(), child) == lost.end();
+}
+
 }  // namespace gyro

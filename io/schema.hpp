@@ -87,14 +87,16 @@ struct Setting {
   std::string name = {};                ///< last part of its path in the file
   Mark mark = {};                       ///< of the value; of the section for a default
   bool given = false;                   ///< not a default
-  bool flawed = false;                  ///< a section with unknown keys or values that were left out
   std::vector<double> numbers = {};     ///< quantity: 1; vector: 3; interval: 2; passing: size, share, size, share ...
   std::vector<std::string> texts = {};  ///< text, word, file: 1; words, files; a word beside a quantity
   std::vector<Mark> item_marks = {};    ///< of the items of a list
   std::vector<Setting> children = {};   ///< of a section
+  std::vector<std::string> lost = {};   ///< keys of a section that are given but cannot be used, or are misspelt
 
   /// The setting at a path below this one, `radius.relative`; null where there is none.
   const Setting* find(std::string_view path) const;
+  /// Whether a key of this section is neither there nor lost: nobody wrote it.
+  bool lacks(std::string_view child) const;
   double number(std::string_view path) const { return find(path)->numbers.at(0); }
   const std::string& text(std::string_view path) const { return find(path)->texts.at(0); }
 };

@@ -28,7 +28,7 @@ class Reader {
   /// Reads the keys below `pattern` from a map into `section`. `shown` is the section's path in the file.
   void read_section(Setting& section, std::string_view pattern, const YamlNode& map, const std::string& shown) {
     const std::vector<const Key*> keys = keys_below(pattern);
-    section.flawed = refuse_unknown(map, keys, shown);
+    refuse_unknown(section, map, keys, shown);
     for (const Key* key : keys) read_key(section, *key, map, shown);
   }
 
@@ -40,23 +40,22 @@ class Reader {
     return entry == nullptr || (entry->value.kind == Kind::null && entry->value.mark.source > 0);
   }
 
-  /// Whether there was an unknown key.
-  bool refuse_unknown(const YamlNode& map, const std::vector<const Key*>& keys, const std::string& shown) {
+  void refuse_unknown(Setting& section, const YamlNode& map, const std::vector<const Key*>& keys,
+                      const std::string& shown) {
     std::vector<std::string_view> names;
     for (const Key* key : keys) names.push_back(key->name());
-    bool found = false;
     for (const YamlEntry& entry : map.entries) {
       if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
       std::string message = "unknown key " + in_quotes(entry.key) + (shown.empty() ? "" : " in " + shown) + "; ";
-      if (const std::string_view meant = closest(entry.key, names); !meant.empty())
+      if (const std::string_view meant = closest(entry.key, names); !meant.empty()) {
         message += "did you mean " + in_quotes(meant) + "? ";
-      else if (const Key* elsewhere = key_named(entry.key))
+        section.lost.emplace_back(meant);
+      } else if (const Key* elsewhere = key_named(entry.key)) {
         message += in_quotes(entry.key) + " belongs to " +
                    (elsewhere->parent().empty() ? "the top of the file" : std::string(elsewhere->parent())) + "; ";
+      }
       problem(entry.mark, message + "accepted here: " + choice(names));
-      found = true;
     }
-    return found;
   }
 
   static const Key* key_named(std::string_view name) {
@@ -75,10 +74,10 @@ class Reader {
       if (read_value(setting, key, *entry, path))
         section.children.push_back(std::move(setting));
       else
-        section.flawed = true;
+        section.lost.emplace_back(key.name());
     } else if (key.defaulted || !key.fallback.empty()) {
       section.children.push_back(default_of(key, section.mark));
-    } else if (required) {
+    } else if (required && section.lacks(key.name())) {
       problem(section.mark, "required key " + in_quotes(key.name()) + " is missing" +
                                 (shown.empty() ? "" : " in " + shown) + "; " + form_of(key) +
                                 " is accepted: " + std::string(key.doc));
@@ -175,12 +174,14 @@ class Reader {
         problem(named.mark, in_quotes(named.key) + " is no name in " + path + "; " +
                                 (pairs ? "two names with a slash, as rock/steel, are accepted"
                                        : "letters, digits, - and _, a letter first, are accepted"));
+        setting.lost.push_back(named.key);
         continue;
       }
       const std::string shown = path + "." + named.key;
       if (named.value.kind != Kind::map) {
         problem(named.value.kind == Kind::null ? named.mark : named.value.mark,
                 shown + " is not a map; a map of the keys " + names_below(pattern) + " is accepted");
+        setting.lost.push_back(named.key);
         continue;
       }
       Setting child{.key = &key, .name = named.key, .mark = named.mark, .given = true};

@@ -205,6 +205,12 @@ ParsedNumber leading_number(std::string_view text, std::string_view& rest, const
   return {value, {}};
 }
 
+/// value x factor, rounded once: 21.7 mm is the double nearest to 0.0217.
+double in_si(double value, double factor) {
+  const double inverse = std::round(1 / factor);
+  return inverse > 1 && 1 / inverse == factor ? value / inverse : value * factor;
+}
+
 }  // namespace
 
 const std::vector<Unit>& units() {
@@ -277,7 +283,7 @@ ParsedNumber parse_quantity(std::string_view text, Dimension dimension) {
     return {{}, in_quotes(text) + " has the unknown unit " + in_quotes(name) + "; " + accepted(dimension)};
   if (unit->dimension != dimension)
     return {{}, in_quotes(text) + " is " + std::string(name_of(unit->dimension)) + "; " + accepted(dimension)};
-  const double value = *parsed.value * unit->factor;
+  const double value = in_si(*parsed.value, unit->factor);
   if (!std::isfinite(value)) return {{}, in_quotes(text) + " does not fit a double; " + accepted(dimension)};
   return {value, {}};
 }

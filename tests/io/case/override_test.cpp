@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case.hpp"
+
+#include "tests/catch.hpp"
+
+namespace {
+
+const std::string quickstart = GYRO_CASES "/quickstart.yaml";
+
+/// All problems of a case with overrides, a line each.
+std::string problems(const std::vector<std::string>& overrides) {
+  std::string all;
+  for (const gyro::CaseProblem& problem : gyro::load_case(quickstart, overrides).problems)
+    all += to_string(problem) + "\n";
+  return all;
+}
+
+gyro::Case load(const std::vector<std::string>& overrides) {
+  INFO(problems(overrides));
+  const gyro::CaseReport report = gyro::load_case(quickstart, overrides);
+  REQUIRE(report.loaded);
+  return *report.loaded;
+}
+
+}  // namespace
+
+TEST_CASE("Overrides replace, add and leave out keys") {
+  CHECK(load({"time.duration=20 ms"}).time.duration == 0.02);
+  CHECK(load({"time.duration=1", "time.duration=2"}).time.duration == 2);  // the last one counts
+  CHECK(load({"contacts.rock/rock.friction=0.9"}).contacts.at(0).properties.friction == 0.9);
+  CHECK(load({"gravity=[0, 0, -1.62]"}).gravity.z == -1.62);
+  CHECK(load({"case.seed=7"}).identity.seed == 7);
+  CHECK(load({"case.title='a = b: c'"}).identity.title == "a = b: c");
+  CHECK(load({"coupling.interval=1 ms"}).coupling_interval == 1e-3);  // a section that the file does not have
+  CHECK(load({"time.step=3 us"}).time.step == 3e-6);
+  CHECK(!load({"drivetrain=null"}).drivetrain);
+  CHECK(!load({"bonds.strength_scatter=null"}).bonds->scatter);
+  CHECK(std::get<gyro::AbsoluteBondRadius>(load({"bonds.radius={absolute: 2 mm}"}).bonds->rule.radius).radius == 0.002);
+}
+
+TEST_CASE("Bad overrides are problems of the override, at its column") {
+  CHECK(problems({"time.duration=1 s", "time.duration=5 kg"})
+            .starts_with("--set:2:15: time.duration: \"5 kg\" is a mass; "));
+  CHECK(problems({"time.duraton=5 s"})
+            .starts_with("--set:1:1: unknown key \"duraton\" in time; did you mean \"duration\"?"));
+  CHECK(
+      problems({"time.duration"}).starts_with("--set:1:1: \"time.duration\" sets nothing; key.path=value is accepted"));
+  CHECK(problems({"time.duration="}).starts_with("--set:1:1: "));
+  CHECK(problems({"=3"}).starts_with("--set:1:1: "));
+  CHECK(problems({"time..step=3"}).starts_with("--set:1:1: "));
+  CHECK(problems({"gravity=[0, 0"}).starts_with("--set:1:9: not valid YAML"));
+  CHECK(problems({"numerics.substeps=010"}).starts_with("--set:1:19: numerics.substeps: \"010\" has a leading zero"));
+  CHECK(problems({"bonds.radius.absolute=2 mm"}).find("exactly one of these is accepted") != std::string::npos);
+  CHECK(problems({"time=null"}).find(":1:1: required key \"time\" is missing; ") != std::string::npos);
+  CHECK(problems({"bnods=null"}).starts_with("--set:1:1: unknown key \"bnods\"; did you mean \"bonds\"?"));
+}
+
+TEST_CASE("Problems of the file and of overrides come together, those of the file first") {
+  const gyro::CaseReport report =
+      gyro::load_case(GYRO_CASE_TESTS "/broken/misspelt-key.yaml", {"time.duration=5 kg", "case.seed=x"});
+  REQUIRE(report.problems.size() == 3);
+  CHECK(report.problems[0].file != "--set");
+  CHECK(report.problems[1].line == 1);
+  CHECK(report.problems[2].line == 2);
+}

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case.hpp"
+
+#include <iostream>
+
+int main() {
+  std::cout << gyro::json_schema();
+}
