@@ -6,6 +6,7 @@
 #include "core/rocks/library.hpp"
 #include "core/rocks/size_distribution.hpp"
 #include "core/rocks/strength.hpp"
+#include "core/walls/liners.hpp"
 #include "mbd/drivetrain_parameters.hpp"
 
 #include <cstdint>
@@ -96,11 +97,6 @@ struct CaseWall {
   std::variant<PlaneShape, MeshFile, ProfileLiner> shape;
   std::variant<Fixed, LinearMotion, RotationMotion, CircularMotion, GyrationMotion> motion;
   Index material = 0;  ///< in Case::materials
-};
-
-/// A row of the profile file: radii of the surfaces with the mantle centred [m].
-struct LinerRow {
-  double z, mantle_radius, concave_radius;
 };
 
 /// `crusher`.

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly.hpp"
+
+#include "app/start_state.hpp"
+#include "core/base/errors.hpp"
+#include "core/geometry/stl_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gyro {
+namespace {
+
+constexpr int picture_sectors = 240;
+
+MeshShape plane_picture(const PlaneShape& plane, double half) {
+  const Vec3d helper = std::abs(plane.normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0};
+  const Vec3d a0 = cross(plane.normal, helper);
+  const Vec3d a = (half / norm(a0)) * a0, b = cross(plane.normal, a);
+  return {{plane.point - a - b, plane.point + a - b, plane.point + a + b, plane.point - a + b}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+/// Adds a wall's shape to the scene and its picture to the assembly.
+void add_wall(Assembly& out, const CaseWall& wall) {
+  Wall made;
+  made.name = wall.name;
+  made.motion = wall.motion;
+  made.material = wall.material;
+  const Index number = static_cast<Index>(out.scene.walls.size());
+  if (const auto* plane = std::get_if<PlaneShape>(&wall.shape)) {
+    made.shape = *plane;
+    out.pictures.push_back({plane_picture(*plane, 0.5), number});
+  } else if (const auto* file = std::get_if<MeshFile>(&wall.shape)) {
+    const ReadMesh read = read_mesh(file->path.string());
+    for (const std::string& note : read.notes) out.notes.push_back("wall " + wall.name + ": " + note);
+    made.shape = MeshShape{read.mesh.vertices, read.mesh.triangles};
+    out.pictures.push_back({std::get<MeshShape>(made.shape), number});
+  } else {
+    const bool mantle = std::get<ProfileLiner>(wall.shape).mantle;
+    const ProfileShape& shape = mantle ? out.liners->mantle : out.liners->concave;
+    made.shape = shape;
+    if (std::holds_alternative<GyrationMotion>(made.motion)) made.motion = out.liners->motion;
+    out.pictures.push_back({revolve(shape, picture_sectors), number});
+  }
+  if (std::holds_alternative<GyrationMotion>(made.motion) && out.gyrating == none) out.gyrating = number;
+  out.scene.walls.push_back(std::move(made));
+}
+
+LibraryRecipe recipe_of(const Case& input, const Scene& scene) {
+  const CaseRocks& rocks = *input.rocks;
+  LibraryRecipe recipe;
+  recipe.shapes = rocks.shapes;
+  recipe.sizes = rocks.sizes;
+  recipe.samples = rocks.samples;
+  if (!rocks.fill_ratio)
+    throw BadInput("rocks.fill.sizes is not available in this version; rocks.fill.ratio is accepted");
+  recipe.fill_ratio = *rocks.fill_ratio;
+  recipe.rock_density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
+  recipe.compensated = rocks.density_compensated;
+  if (input.bonds) {
+    recipe.bond_rule = input.bonds->rule;
+    recipe.bond_parameters = *scene.bonds;
+  }
+  recipe.bed = bed_contacts(scene);
+  recipe.seed = input.identity.seed;
+  return recipe;
+}
+
+double largest_rock(const RockLibrary& library) {
+  double largest = 0;
+  for (const RockTemplate& rock : library.rocks) largest = std::max(largest, 2 * rock.bounding_radius);
+  return largest;
+}
+
+/// Where rock appears: the chamber for the initial charge, the opening above a wall for the rest.
+void set_regions(FeedPlan& plan, const CaseFeed& feed, const Assembly& out) {
+  if (feed.above == none) return;
+  const Wall& outer = out.scene.walls[static_cast<std::size_t>(feed.above)];
+  if (plan.initial > 0) {
+    const RadiusByHeight radius(outer, RadiusByHeight::Side::outer);
+    ChamberRegion chamber{feed.above, out.gyrating, std::max(0.0, radius.low()), radius.high()};
+    if (feed.initial_top) chamber.high = *feed.initial_top;
+    plan.charge = chamber;
+  }
+  if (plan.rate > 0 || plan.batch > 0) plan.entry = opening_above(outer, 2 * largest_rock(out.library));
+}
+
+FeedPlan feed_plan(const Case& input, const Assembly& out) {
+  const CaseFeed& feed = *input.feed;
+  FeedPlan plan;
+  plan.initial = feed.initial;
+  plan.batch = feed.mass.value_or(0);
+  plan.rate = feed.rate;
+  plan.start = feed.start;
+  plan.seed = input.identity.seed;
+  set_regions(plan, feed, out);
+  Vec3d at = feed.at;
+  for (int k = 0; k < feed.rocks; ++k) {
+    const Index kind = static_cast<Index>(k % static_cast<int>(out.library.rocks.size()));
+    plan.fixed.push_back({kind, at, {1, 0, 0, 0}});
+    at.z += 2.1 * largest_rock(out.library) / 2;
+  }
+  for (const NewRock& rock : out.start) {
+    plan.first_rock = std::max(plan.first_rock, static_cast<RockId>(rock.id + 1));
+    for (const NewParticle& p : rock.particles) plan.first_particle = std::max(plan.first_particle, p.id + 1);
+  }
+  return plan;
+}
+
+}  // namespace
+
+BondStrength bond_strength(const Case& input) {
+  if (!input.bonds || !input.bonds->scatter) return {};
+  return [scatter = *input.bonds->scatter, seed = input.identity.seed](RockId rock, ParticleId i, ParticleId j) {
+    return strength_factor(scatter, seed, rock, i, j);
+  };
+}
+
+Assembly assemble(const Case& input) {
+  Assembly out;
+  Scene& scene = out.scene;
+  scene.materials = input.materials;
+  scene.pairs = pair_table(input);
+  scene.rock_material = input.rock_material;
+  scene.gravity = input.gravity;
+  if (input.bonds) scene.bonds = bond_parameters(*input.bonds);
+  if (input.crusher) {
+    const CaseCrusher& c = *input.crusher;
+    out.pivot_height = c.pivot_height;
+    if (!c.liners.empty()) out.liners = make_liners(c.liners, {c.closed_side_setting, c.eccentricity, c.pivot_height});
+  }
+  for (const CaseWall& wall : input.walls) add_wall(out, wall);
+  if (input.rocks) {
+    out.library = make_library(recipe_of(input, scene), default_cache_folder());
+    out.removal_depth = 2 * largest_rock(out.library);
+  }
+  if (input.crusher && input.crusher->removal_depth) out.removal_depth = *input.crusher->removal_depth;
+  out.start = start_state(input);
+  out.step = choose_step(input, scene, out.library, out.start);
+  scene.dt = out.step.dt;
+  if (input.feed) out.feed = feed_plan(input, out);
+  return out;
+}
+
+}  // namespace gyro

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly.hpp"
+#include "app/commands.hpp"
+#include "app/device.hpp"
+#include "app/simulation.hpp"
+#include "core/base/errors.hpp"
+#include "io/progress.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace gyro {
+namespace {
+
+/// What a run of a case would take.
+struct Estimate {
+  StepChoice step;
+  std::int64_t particles = 0, bonds = 0, particles_at_end = 0, steps = 0;
+  double bytes = 0, seconds = 0;
+};
+
+/// Particles and bonds of the average rock of a library, by number as the feed draws them.
+struct MeanRock {
+  double mass = 0, particles = 0, bonds = 0;
+};
+MeanRock mean_rock(const RockLibrary& library, double density) {
+  MeanRock mean;
+  double weights = 0;
+  for (const RockTemplate& rock : library.rocks) {
+    const double mass = density * rock.solid_volume, weight = 1 / mass;
+    weights += weight;
+    mean.mass += weight * mass;
+    mean.particles += weight * static_cast<double>(rock.centres.size());
+    mean.bonds += weight * static_cast<double>(rock.bonds.size());
+  }
+  if (weights > 0) mean = {mean.mass / weights, mean.particles / weights, mean.bonds / weights};
+  return mean;
+}
+
+/// Wall seconds per window of the scene as it stands at t = 0, by running a few.
+double seconds_per_window(const Case& input, const Assembly& assembly) {
+  const Device device = choose_device("cpu", 0);
+  const Loads loads = input.numerics.precision == Precision::mixed ? Loads::single : Loads::double_;
+  Simulation trial(input, assembly, make_dem(device, assembly.scene, loads));
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  int windows = 0;
+  double seconds = 0;
+  do {
+    trial.advance();
+    ++windows;
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  } while (seconds < 1.5 && windows < 4);
+  return seconds / windows;
+}
+
+Estimate estimate(const Case& input, const Assembly& assembly) {
+  Estimate e;
+  e.step = assembly.step;
+  e.steps = std::llround(input.time.duration / e.step.dt);
+  for (const NewRock& rock : assembly.start) {
+    e.particles += static_cast<std::int64_t>(rock.particles.size());
+    e.bonds += static_cast<std::int64_t>(rock.bonds.size());
+  }
+  const double density = assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
+  double fed_later = 0;
+  if (assembly.feed) {
+    const MeanRock mean = mean_rock(assembly.library, density);
+    const double initial = assembly.feed->initial / mean.mass;
+    e.particles += std::llround(initial * mean.particles);
+    e.bonds += std::llround(initial * mean.bonds);
+    for (const FixedRock& fixed : assembly.feed->fixed) {
+      const RockTemplate& rock = assembly.library.rocks[static_cast<std::size_t>(fixed.rock)];
+      e.particles += static_cast<std::int64_t>(rock.centres.size());
+      e.bonds += static_cast<std::int64_t>(rock.bonds.size());
+    }
+    fed_later =
+        (assembly.feed->batch + assembly.feed->rate * std::max(0.0, input.time.duration - assembly.feed->start)) /
+        mean.mass * mean.particles;
+  }
+  e.particles_at_end = e.particles + std::llround(fed_later);
+  e.bytes = 700.0 * static_cast<double>(e.particles_at_end) + 70.0 * static_cast<double>(e.bonds);
+  const double windows = static_cast<double>(e.steps) / e.step.per_window;
+  const double growth =
+      e.particles > 0 ? 0.5 * (1 + static_cast<double>(e.particles_at_end) / static_cast<double>(e.particles)) : 1;
+  e.seconds = windows * growth * seconds_per_window(input, assembly);
+  return e;
+}
+
+void print(const Case& input, const Assembly& assembly, const Estimate& e) {
+  std::cout << input.resolved << "\n";
+  std::printf("step           %.4g us, limit %.4g us (%s)\n", e.step.dt * 1e6, e.step.limit * 1e6,
+              e.step.limited_by.c_str());
+  std::printf("steps          %lld, %d a coupling interval\n", static_cast<long long>(e.steps), e.step.per_window);
+  std::printf("particles      %s at the start, %s fed by the end at most\n", format_count(double(e.particles)).c_str(),
+              format_count(double(e.particles_at_end)).c_str());
+  std::printf("bonds          %s at the start\n", format_count(double(e.bonds)).c_str());
+  if (!assembly.library.rocks.empty())
+    std::printf("library        %zu rocks, %.3g to %.3g mm\n", assembly.library.rocks.size(),
+                assembly.library.rocks.front().diameter * 1e3, assembly.library.rocks.back().diameter * 1e3);
+  std::printf("memory         about %s bytes\n", format_count(e.bytes).c_str());
+  std::printf("wall time      about %s on this machine\n", format_duration(e.seconds).c_str());
+}
+
+}  // namespace
+
+int check_command(const CaseArguments& arguments) {
+  nlohmann::json out{{"valid", false}, {"problems", nlohmann::json::array()}};
+  CaseReport report = load_case(arguments.file, arguments.set);
+  std::optional<Assembly> assembly;
+  if (report.loaded) {
+    try {
+      assembly.emplace(assemble(*report.loaded));
+    } catch (const BadInput& problem) {
+      report.problems.push_back({arguments.file.string(), 1, 1, problem.what()});
+    }
+  }
+  for (const CaseProblem& p : report.problems) {
+    out["problems"].push_back({{"line", p.line}, {"column", p.column}, {"message", p.message}});
+    std::cerr << to_string(p) << "\n";
+  }
+  if (assembly) {
+    const Estimate e = estimate(*report.loaded, *assembly);
+    out["valid"] = true;
+    out["time_step"] = e.step.dt;
+    out["time_step_limit"] = e.step.limit;
+    out["limited_by"] = e.step.limited_by;
+    out["particles"] = e.particles;
+    out["bonds"] = e.bonds;
+    out["steps"] = e.steps;
+    out["bytes"] = e.bytes;
+    out["estimated_seconds"] = e.seconds;
+    if (!arguments.json) print(*report.loaded, *assembly, e);
+  }
+  if (arguments.json) std::cout << out.dump(2) << "\n";
+  return assembly ? exit_done : exit_bad_input;
+}
+
+}  // namespace gyro

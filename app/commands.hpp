@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/case.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// Exit codes of the program (README.md).
+enum ExitCode : int {
+  exit_done = 0,
+  exit_internal = 1,
+  exit_bad_input = 2,
+  exit_check_failed = 3,
+  exit_stopped = 4,
+  exit_output = 5,
+  exit_no_device = 6,
+  exit_resume_me = 75,
+};
+
+/// A case and how it is changed from the command line.
+struct CaseArguments {
+  std::filesystem::path file;
+  std::vector<std::string> set;
+  bool json = false;
+};
+
+struct RunArguments {
+  CaseArguments input;
+  std::optional<std::filesystem::path> out;
+  std::string device = "auto";  ///< auto, cpu or cuda
+  int threads = 0;              ///< 0: all cores
+  bool resume = false, overwrite = false, quiet = false;
+  std::optional<double> until, max_walltime;  ///< [s]
+};
+
+/// Each command returns an exit code; bad input and failures come as exceptions of core/base/errors.hpp.
+int run_command(const RunArguments& arguments);
+int check_command(const CaseArguments& arguments);
+int describe_command(const std::string& key, bool json_schema);
+int liners_command(const CaseArguments& arguments, const std::filesystem::path& out);
+int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
+int init_command(const std::string& name);
+int info_command(bool json);
+
+/// Loads a case; prints every problem to standard error, one a line, and returns nothing if there is one.
+std::optional<Case> load_or_complain(const CaseArguments& arguments);
+
+}  // namespace gyro

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly.hpp"
+#include "app/commands.hpp"
+#include "core/base/errors.hpp"
+#include "core/geometry/stl_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+namespace gyro {
+namespace {
+
+constexpr double bulk_density_of_rock = 1600;  // brochures state capacities at 1.6 t/m3
+
+double eccentric_speed(const Case& input) {
+  if (!input.drivetrain) return 160 * 2 * 3.14159265358979323846 / 60;
+  return idle_speed(*input.drivetrain);
+}
+
+}  // namespace
+
+int liners_command(const CaseArguments& arguments, const std::filesystem::path& out) {
+  const std::optional<Case> input = load_or_complain(arguments);
+  if (!input) return exit_bad_input;
+  if (!input->crusher || input->crusher->liners.empty())
+    throw BadInput(arguments.file.string() + ": the case has no crusher.profile; liners are made from a profile");
+  const CaseCrusher& c = *input->crusher;
+  const Liners liners = make_liners(c.liners, {c.closed_side_setting, c.eccentricity, c.pivot_height});
+  const LinerReport report = measure(liners, eccentric_speed(*input), norm(input->gravity));
+  std::error_code failed;
+  std::filesystem::create_directories(out, failed);
+  for (const auto& [name, shape] : {std::pair{"concave", &liners.concave}, std::pair{"mantle", &liners.mantle}}) {
+    const MeshShape mesh = revolve(*shape, 360);
+    write_stl((out / (std::string(name) + ".stl")).string(), {mesh.vertices, mesh.triangles});
+  }
+  nlohmann::json j{{"closed_side_setting", report.closed_side_setting},
+                   {"open_side_setting", report.open_side_setting},
+                   {"throw", report.throw_at_discharge},
+                   {"volume", report.volume},
+                   {"capacity_tph", report.capacity * bulk_density_of_rock * 3.6},
+                   {"choke_height", report.choke_height},
+                   {"nip_angle", nlohmann::json::array()}};
+  for (std::size_t k = 0; k < report.nip_angle.size(); ++k)
+    j["nip_angle"].push_back({c.liners[k].z, report.nip_angle[k]});
+  if (arguments.json) {
+    std::cout << j.dump(2) << "\n";
+    return exit_done;
+  }
+  std::printf("closed side setting  %.2f mm\nopen side setting    %.2f mm\nthrow                %.2f mm\n",
+              report.closed_side_setting * 1e3, report.open_side_setting * 1e3, report.throw_at_discharge * 1e3);
+  std::printf("chamber volume       %.4g m3\nslice capacity       %.4g t/h at 1.6 t/m3, choke at z = %.3g m\n",
+              report.volume, report.capacity * bulk_density_of_rock * 3.6, report.choke_height);
+  for (std::size_t k = 0; k < report.nip_angle.size(); ++k)
+    std::printf("nip angle            %5.1f deg at z = %.3g m\n", report.nip_angle[k] * 57.29577951308232,
+                c.liners[k].z);
+  return exit_done;
+}
+
+int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out) {
+  const std::optional<Case> input = load_or_complain(arguments);
+  if (!input) return exit_bad_input;
+  if (!input->rocks) throw BadInput(arguments.file.string() + ": the case has no `rocks`; a library is made from them");
+  if (out) throw BadInput("library --out is not available in this version; the table is printed, with --json in full");
+  const Assembly assembly = assemble(*input);
+  nlohmann::json j{{"rocks", nlohmann::json::array()}, {"seconds", assembly.library.seconds}};
+  if (!arguments.json)
+    std::printf("%-28s %9s %9s %7s %8s %9s %9s %6s %9s\n", "rock", "mm", "particles", "bonds", "packing", "mass err",
+                "inertia", "coord", "limit us");
+  for (const RockTemplate& r : assembly.library.rocks) {
+    j["rocks"].push_back({{"name", r.name},
+                          {"diameter", r.diameter},
+                          {"particles", r.centres.size()},
+                          {"bonds", r.bonds.size()},
+                          {"packing_fraction", r.packing_fraction},
+                          {"mass_error", r.mass_error},
+                          {"inertia_error", r.inertia_error},
+                          {"coordination", r.coordination},
+                          {"critical_step", r.critical_step}});
+    if (!arguments.json)
+      std::printf("%-28s %9.4g %9zu %7zu %8.4f %9.1e %9.1e %6.2f %9.4g\n", r.name.c_str(), r.diameter * 1e3,
+                  r.centres.size(), r.bonds.size(), r.packing_fraction, r.mass_error, r.inertia_error, r.coordination,
+                  r.critical_step * 1e6);
+  }
+  if (arguments.json) std::cout << j.dump(2) << "\n";
+  return exit_done;
+}
+
+}  // namespace gyro

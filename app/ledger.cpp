@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ledger.hpp"
+
+#include "core/base/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace gyro {
+
+void Ledger::close(double time, const EnergyTerms& after, const Extremes& extremes) {
+  const double fallen = potential_before_ - after.potential;
+  gravity_work_ += fallen;
+  gravity_turnover_ += std::abs(fallen);
+  energy_ = after;
+  extremes_ = extremes;
+  largest_state_ = std::max(largest_state_, after.kinetic + after.contact_elastic + after.bond_elastic);
+  check(time);
+}
+
+double Ledger::residual_fraction() const {
+  const double work = std::abs(energy_.wall_work) + gravity_turnover_;
+  return work > 0 ? energy_.residual() / work : 0;
+}
+
+void Ledger::check(double time) const {
+  std::ostringstream why;
+  why.precision(4);
+  const auto id = extremes_.culprit;
+  if (!extremes_.finite) {
+    why << "particle " << id << " has a place or velocity that is not finite";
+  } else if (extremes_.overlap_ratio > limits_.overlap_ratio) {
+    why << "a contact of particle " << id << " overlaps by " << extremes_.overlap_ratio << " of the radius; at most "
+        << limits_.overlap_ratio;
+  } else if (extremes_.speed_ratio > limits_.speed_ratio) {
+    why << "a particle moves by " << extremes_.speed_ratio << " of its radius in a step; at most "
+        << limits_.speed_ratio;
+  } else if (extremes_.turn > limits_.turn) {
+    why << "a particle turns by " << extremes_.turn << " rad in a step; at most " << limits_.turn;
+  } else {
+    const double work = std::abs(energy_.wall_work) + gravity_turnover_;
+    const bool enough = work > limits_.energy_floor * largest_state_ && work > 0;
+    if (!enough || !(std::abs(residual_fraction()) > limits_.energy_fraction)) return;
+    why << "the energy balance is off by " << energy_.residual() << " J, " << 100 * residual_fraction()
+        << " % of the work done; at most " << 100 * limits_.energy_fraction << " %";
+  }
+  throw StoppedByGuard("stopped at t = " + std::to_string(time) + " s: " + why.str());
+}
+
+}  // namespace gyro

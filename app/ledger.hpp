@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/dem.hpp"
+
+#include <cstdint>
+
+namespace gyro {
+
+/// Limits beyond which a run stops instead of going on with numbers that look right.
+struct LedgerLimits {
+  double overlap_ratio = 0.3;     ///< overlap / radius: Hertz's half space is long left
+  double speed_ratio = 0.2;       ///< v dt / R: a sphere could pass a sheet unseen
+  double turn = 0.1;              ///< spin x dt [rad]
+  double energy_fraction = 0.05;  ///< residual / work done, once the work is more than `energy_floor`
+  double energy_floor = 1e-3;     ///< share of the largest kinetic + elastic energy seen, as work [-]
+};
+
+/// Particles that came, went and are there.
+struct MassCount {
+  std::int64_t fed = 0, discharged = 0, inside = 0;
+  std::int64_t residual() const { return fed - discharged - inside; }
+};
+
+/// The running balance of a run: energy, particles, and what the guard looks at.
+class Ledger {
+ public:
+  explicit Ledger(LedgerLimits limits = {}) : limits_(limits) {}
+
+  /// Takes up the state before the window's rock came and went, so that gravity's work is that of the
+  /// DEM alone.
+  void open(const EnergyTerms& before) { potential_before_ = before.potential; }
+  /// Closes the window that ends at `time`.
+  /// @throws StoppedByGuard with the reason and the id of the particle
+  void close(double time, const EnergyTerms& after, const Extremes& extremes);
+
+  const EnergyTerms& energy() const { return energy_; }
+  const Extremes& extremes() const { return extremes_; }
+  double gravity_work() const { return gravity_work_; }  ///< [J]
+  /// Residual over the work that walls and gravity have done; 0 before any work.
+  double residual_fraction() const;
+
+ private:
+  void check(double time) const;
+
+  LedgerLimits limits_;
+  EnergyTerms energy_;
+  Extremes extremes_;
+  double potential_before_ = 0, gravity_work_ = 0, gravity_turnover_ = 0, largest_state_ = 0;
+};
+
+}  // namespace gyro

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.hpp"
+#include "app/version.hpp"
+#include "core/base/errors.hpp"
+#include "io/units.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <iostream>
+#include <new>
+
+namespace {
+
+using namespace gyro;
+
+/// A time given on the command line: plain seconds or with a unit.
+std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& target) {
+  return [&target](const CLI::results_t& words) {
+    const ParsedNumber parsed = parse_quantity(words.front(), Dimension::time);
+    if (!parsed.value) throw CLI::ValidationError(parsed.problem);
+    if (!(*parsed.value >= 0)) throw CLI::ValidationError("a time below zero; 0 or more is accepted");
+    target = parsed.value;
+    return true;
+  };
+}
+
+void add_case(CLI::App& command, CaseArguments& arguments) {
+  command.add_option("case", arguments.file, "case file")->required();
+  command.add_option("--set", arguments.set, "override a key: key.path=value")->allow_extra_args(false);
+}
+
+void add_run(CLI::App& command, RunArguments& a) {
+  add_case(command, a.input);
+  command.add_option("--out", a.out, "directory of the results; default runs/<case>-NNN");
+  command.add_option("--device", a.device, "auto, cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->envname("GYROSIM_DEVICE");
+  command.add_option("--threads", a.threads, "threads of the CPU engine; default all cores")
+      ->check(CLI::Range(1, 4096))
+      ->envname("GYROSIM_THREADS");
+  command.add_flag("--resume", a.resume, "go on with a run that was interrupted");
+  command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
+  command.add_option("--until", seconds_into(a.until), "end earlier, at this simulated time");
+  command.add_option("--max-walltime", seconds_into(a.max_walltime), "stop after this much wall-clock time");
+  command.add_flag("--quiet", a.quiet, "no progress and no summary");
+}
+
+int guarded(const std::function<int()>& command) {
+  try {
+    return command();
+  } catch (const BadInput& e) {
+    std::cerr << e.what() << "\n";
+    return exit_bad_input;
+  } catch (const StoppedByGuard& e) {
+    std::cerr << e.what() << "\n";
+    return exit_stopped;
+  } catch (const OutputError& e) {
+    std::cerr << e.what() << "\n";
+    return exit_output;
+  } catch (const NoDevice& e) {
+    std::cerr << e.what() << "\n";
+    return exit_no_device;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "out of memory; a smaller case is accepted (gyrosim check prints what a case needs)\n";
+    return exit_no_device;
+  } catch (const std::exception& e) {
+    std::cerr << "internal error: " << e.what() << "\n";
+    return exit_internal;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("gyrosim: rock breakage in gyratory crushers");
+  app.set_version_flag("--version", std::string("gyrosim ") + version::number + " (" + version::git + ")");
+  app.require_subcommand(1);
+  std::function<int()> chosen;
+
+  RunArguments run;
+  CLI::App* c = app.add_subcommand("run", "run a case");
+  add_run(*c, run);
+  c->callback([&] { chosen = [&] { return run_command(run); }; });
+
+  CaseArguments check;
+  c = app.add_subcommand("check", "validate a case and say what it takes");
+  add_case(*c, check);
+  c->add_flag("--json", check.json, "one JSON document on standard output");
+  c->callback([&] { chosen = [&] { return check_command(check); }; });
+
+  std::string key;
+  bool schema = false;
+  c = app.add_subcommand("describe", "documentation of the case file's keys");
+  c->add_option("key", key, "a key or a section; default all");
+  c->add_flag("--json-schema", schema, "JSON Schema for editors");
+  c->callback([&] { chosen = [&] { return describe_command(key, schema); }; });
+
+  CaseArguments library;
+  std::optional<std::filesystem::path> library_out;
+  c = app.add_subcommand("library", "build the meta-particle library of a case");
+  add_case(*c, library);
+  c->add_option("--out", library_out, "directory");
+  c->add_flag("--json", library.json, "one JSON document on standard output");
+  c->callback([&] { chosen = [&] { return library_command(library, library_out); }; });
+
+  CaseArguments liners;
+  std::filesystem::path liners_out;
+  c = app.add_subcommand("liners", "write the liners of a profile as STL and measure the chamber");
+  add_case(*c, liners);
+  c->add_option("--out", liners_out, "directory")->required();
+  c->add_flag("--json", liners.json, "one JSON document on standard output");
+  c->callback([&] { chosen = [&] { return liners_command(liners, liners_out); }; });
+
+  std::string name = "quickstart";
+  c = app.add_subcommand("init", "print a commented case to start from");
+  c->add_option("--template", name, "quickstart, primary or compression");
+  c->callback([&] { chosen = [&] { return init_command(name); }; });
+
+  bool info_json = false;
+  c = app.add_subcommand("info", "version, build and machine");
+  c->add_flag("--json", info_json, "one JSON document on standard output");
+  c->callback([&] { chosen = [&] { return info_command(info_json); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? exit_done : exit_bad_input;
+  }
+  return guarded(chosen);
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly.hpp"
+#include "app/commands.hpp"
+#include "app/device.hpp"
+#include "app/run_output.hpp"
+#include "app/simulation.hpp"
+#include "app/stop_request.hpp"
+#include "app/version.hpp"
+#include "core/base/errors.hpp"
+#include "io/log.hpp"
+#include "io/progress.hpp"
+#include "io/replace_file.hpp"
+#include "io/run_directory.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace gyro {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A run between its first and last line.
+class Run {
+ public:
+  Run(const RunArguments& arguments, const Case& input, RunDirectory directory)
+      : arguments_(arguments),
+        input_(input),
+        directory_(std::move(directory)),
+        device_(choose_device(arguments.device, arguments.threads)),
+        assembly_(assemble(input)),
+        log_(directory_.path / "log.txt"),
+        simulation_(input, assembly_, make_dem(device_, assembly_.scene, loads())),
+        output_(input, assembly_, record(), directory_.path) {
+    for (const std::string& note : assembly_.notes) log_.info(note);
+    replace_file(directory_.path / "case.yaml", input.resolved);
+  }
+
+  int run() {
+    start_log();
+    int code = exit_done;
+    Summary summary = base_summary();
+    try {
+      code = steps(summary);
+      output_.close(simulation_);
+    } catch (const StoppedByGuard& stop) {
+      summary.status = RunStatus::stopped;
+      summary.reason = stop.what();
+      log_.error(stop.what());
+      output_.close(simulation_);
+      code = exit_stopped;
+    }
+    finish(summary);
+    return code;
+  }
+
+ private:
+  Loads loads() const { return input_.numerics.precision == Precision::mixed ? Loads::single : Loads::double_; }
+
+  CaseRecord record() const {
+    CaseRecord r;
+    r.title = input_.identity.title;
+    r.resolved_yaml = input_.resolved;
+    r.version = version::number;
+    r.git_hash = version::git;
+    r.device = device_.name;
+    r.precision = loads() == Loads::single ? "mixed" : "double";
+    r.seed = input_.identity.seed;
+    return r;
+  }
+
+  double end() const { return std::min(arguments_.until.value_or(input_.time.duration), input_.time.duration); }
+
+  int steps(Summary& summary) {
+    Progress progress(0, end(), ProgressStyle::for_stderr(arguments_.quiet));
+    const double half_window = 0.5 * assembly_.step.per_window * assembly_.step.dt;
+    while (simulation_.time() < end() - half_window) {
+      output_.take(simulation_.advance(), simulation_);
+      progress.update(progress_state());
+      const bool late = arguments_.max_walltime && seconds_since(start_) > *arguments_.max_walltime;
+      if (stop_request() == StopRequest::keep_going && !late) continue;
+      summary.status = RunStatus::interrupted;
+      summary.reason = late ? "--max-walltime is over" : "a signal asked to stop";
+      progress.finish(progress_state());
+      return exit_resume_me;
+    }
+    progress.finish(progress_state());
+    summary.status = RunStatus::done;
+    return exit_done;
+  }
+
+  ProgressState progress_state() const {
+    ProgressState s;
+    const Counts counts = simulation_.dem().counts();
+    s.time = simulation_.time();
+    s.particle_steps = counts.particle_steps;
+    s.particles = counts.particles;
+    if (input_.bonds) s.bonds_broken = counts.broken_tension + counts.broken_shear;
+    if (simulation_.drivetrain()) {
+      s.eccentric_speed = simulation_.drivetrain()->state().speed;
+      s.crushing_power = simulation_.drivetrain()->means().crushing_power;
+    }
+    return s;
+  }
+
+  void start_log() {
+    char line[400];
+    std::snprintf(line, sizeof line,
+                  "gyrosim %s (%s), %s, %d threads, step %.4g us (limit %.4g us: %s), %lld particles, %lld bonds",
+                  version::number, version::git, device_.name.c_str(), device_.threads, assembly_.step.dt * 1e6,
+                  assembly_.step.limit * 1e6, assembly_.step.limited_by.c_str(),
+                  static_cast<long long>(simulation_.dem().counts().particles),
+                  static_cast<long long>(simulation_.dem().counts().bonds_intact));
+    log_.info(line);
+    if (!arguments_.quiet) std::cerr << line << "\nresults in " << directory_.path.string() << "\n";
+  }
+
+  Summary base_summary() const {
+    Summary s;
+    s.title = input_.identity.title;
+    s.version = version::number;
+    s.git_hash = version::git;
+    s.device = device_.name;
+    s.precision = record().precision;
+    s.threads = device_.threads;
+    s.time_step = assembly_.step.dt;
+    s.time_step_limit = assembly_.step.limit;
+    return s;
+  }
+
+  void finish(Summary& s) {
+    const Counts counts = simulation_.dem().counts();
+    s.simulated_seconds = simulation_.time();
+    s.wall_seconds = seconds_since(start_);
+    s.particle_steps = counts.particle_steps;
+    s.bond_steps = counts.bond_steps;
+    s.particles = counts.particles;
+    s.bonds_initial = simulation_.bonds_initial();
+    s.bonds_broken = counts.broken_tension + counts.broken_shear;
+    s.energy_residual_fraction = simulation_.ledger().residual_fraction();
+    const MassCount mass = simulation_.mass_count();
+    s.mass_residual_fraction = mass.fed > 0 ? static_cast<double>(mass.residual()) / static_cast<double>(mass.fed) : 0;
+    if (simulation_.feed()) s.feed_mass = simulation_.fed().mass;
+    if (assembly_.gyrating != none) s.mean_crushing_power = output_.mean_crushing_power();
+    if (simulation_.product()) product_figures(s);
+    if (simulation_.drivetrain()) s.stalled = simulation_.drivetrain()->stalled();
+    write_summary(s, directory_.path);
+    for (const auto& [phase, seconds] : simulation_.dem().phase_seconds())
+      log_.info("phase " + phase + ": " + std::to_string(seconds) + " s");
+    log_.info("status " + to_string(s.status));
+    if (!arguments_.quiet) std::cout << to_text(s, directory_.path) << std::flush;
+  }
+
+  void product_figures(Summary& s) const {
+    const ProductRow row = simulation_.product()->row(simulation_.time());
+    s.discharged_mass = row.mass;
+    if (simulation_.time() > 0) s.throughput_tph = row.mass / simulation_.time() * 3.6;
+    if (!(row.mass > 0)) return;
+    s.specific_energy_kwh_per_t = output_.crushing_work() / 3.6e6 / (row.mass / 1000);
+    s.p80 = row.p80;
+  }
+
+  const RunArguments& arguments_;
+  const Case& input_;
+  RunDirectory directory_;
+  Clock::time_point start_ = Clock::now();
+  Device device_;
+  Assembly assembly_;
+  Log log_;
+  Simulation simulation_;
+  RunOutput output_;
+};
+
+}  // namespace
+
+int run_command(const RunArguments& arguments) {
+  const std::optional<Case> input = load_or_complain(arguments.input);
+  if (!input) return exit_bad_input;
+  RunDirectory directory =
+      open_run_directory({arguments.out, arguments.input.file.stem().string(), arguments.resume, arguments.overwrite});
+  if (directory.state == RunDirectory::State::finished && !arguments.resume) {
+    std::cerr << directory.path.string() << " holds a finished run; nothing to do\n";
+    return exit_done;
+  }
+  if (arguments.resume && directory.state != RunDirectory::State::fresh)
+    throw BadInput(directory.path.string() +
+                   ": this version keeps no checkpoint to resume from; --overwrite starts the run again");
+  catch_stop_signals();
+  return Run(arguments, *input, std::move(directory)).run();
+}
+
+}  // namespace gyro

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_output.hpp"
+
+#include "core/walls/motion.hpp"
+
+#include <cmath>
+
+namespace gyro {
+namespace {
+
+std::vector<Channel> ledger_channels() {
+  std::vector<Channel> channels{{"time", "s"}};
+  for (const char* name : {"kinetic", "potential", "contact_elastic", "bond_elastic", "contact_damping", "friction",
+                           "bond_damping", "bond_breakage", "wall_work", "exchanged", "energy_residual"})
+    channels.push_back({name, "J"});
+  channels.push_back({"mass_residual", "1"});
+  channels.push_back({"power_residual", "W"});
+  return channels;
+}
+
+PosedWall posed(const WallPicture& picture, const WallPose& pose) {
+  PosedWall out{picture.mesh, picture.wall};
+  for (Vec3d& v : out.mesh.vertices) v = to_world(pose, v);
+  return out;
+}
+
+}  // namespace
+
+RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
+                     const std::filesystem::path& directory)
+    : input_(input),
+      assembly_(assembly),
+      has_mantle_(assembly.gyrating != none),
+      has_drive_(input.drivetrain.has_value()),
+      has_bonds_(input.bonds.has_value()),
+      has_feed_(input.feed.has_value()),
+      has_product_(input.crusher.has_value()),
+      series_(series_channels()),
+      results_(directory / "results.h5", content(record)),
+      snapshots_(directory) {}
+
+std::vector<Channel> RunOutput::series_channels() const {
+  using hdf5::Number;
+  std::vector<Channel> c{{"time", "s"}};
+  if (has_drive_) {
+    c.push_back({"motor_speed", "rad/s"});
+    c.push_back({"eccentric_speed", "rad/s"});
+    c.push_back({"eccentric_angle", "rad"});
+    c.push_back({"mantle_spin", "rad/s"});
+    c.push_back({"motor_torque", "N m"});
+    c.push_back({"mantle_torque", "N m"});
+    c.push_back({"motor_power", "W"});
+  }
+  if (has_mantle_) {
+    c.push_back({"crushing_power", "W"});
+    c.push_back({"mantle_force", "N", 3});
+  }
+  if (has_feed_) c.push_back({"feed_mass", "kg"});
+  if (has_product_) {
+    c.push_back({"discharged_mass", "kg"});
+    c.push_back({"holdup_mass", "kg"});
+    c.push_back({"throughput", "kg/s"});
+  }
+  c.push_back({"particles", "1"});
+  if (has_bonds_)
+    for (const char* name : {"bonds_intact", "bonds_broken_tension", "bonds_broken_shear", "fragments"})
+      c.push_back({name, "1"});
+  c.push_back({"max_overlap_ratio", "1"});
+  c.push_back({"wall_seconds", "s"});
+  return c;
+}
+
+ResultsContent RunOutput::content(const CaseRecord& record) const {
+  ResultsContent content;
+  content.record = record;
+  content.series = series_channels();
+  content.ledger = ledger_channels();
+  content.breakage = has_bonds_;
+  if (has_product_) content.product_sizes = sieve_series();
+  return content;
+}
+
+bool RunOutput::due(double interval, std::int64_t written, double time) const {
+  return interval > 0 && time >= static_cast<double>(written) * interval * (1 - 1e-9);
+}
+
+void RunOutput::take(const WindowResult& result, Simulation& simulation) {
+  if (frames_ == 0) frames_ = 1;
+  add_means(result, simulation);
+  time_ = simulation.time();
+  if (due(input_.output.series, rows_ + 1, time_)) write_row(simulation);
+  if (due(input_.output.snapshots, frames_, time_)) write_snapshot(simulation);
+}
+
+void RunOutput::add_means(const WindowResult& result, const Simulation& simulation) {
+  const double length = result.window.length();
+  const auto add = [&](const std::string& name, std::initializer_list<double> values) {
+    std::vector<double>& sum = sums_[name];
+    sum.resize(values.size(), 0);
+    std::size_t k = 0;
+    for (const double v : values) sum[k++] += v * length;
+  };
+  summed_time_ += length;
+  crushing_work_ += result.load.work;
+  add("crushing_power", {result.crushing_power});
+  add("mantle_force", {result.mantle_force.x, result.mantle_force.y, result.mantle_force.z});
+  if (!simulation.drivetrain()) return;
+  const DrivetrainMeans& m = simulation.drivetrain()->means();
+  add("motor_speed", {m.motor_speed});
+  add("eccentric_speed", {m.eccentric_speed});
+  add("motor_torque", {m.motor_torque});
+  add("mantle_torque", {m.mantle_torque});
+  add("motor_power", {m.motor_power});
+  add("power_residual", {m.power_residual});
+}
+
+void RunOutput::write_row(Simulation& simulation) {
+  simulation.inspect();
+  std::map<std::string, double> now;
+  const Counts counts = simulation.dem().counts();
+  now["time"] = simulation.time();
+  if (simulation.drivetrain()) {
+    now["eccentric_angle"] = simulation.drivetrain()->state().angle;
+    now["mantle_spin"] = simulation.drivetrain()->state().spin;
+  }
+  const double fed = simulation.fed().mass;
+  const double discharged = simulation.product() ? simulation.product()->state().mass : 0;
+  now["feed_mass"] = fed;
+  now["discharged_mass"] = discharged;
+  now["holdup_mass"] = fed - discharged;
+  now["throughput"] = summed_time_ > 0 ? (discharged - discharged_before_) / summed_time_ : 0;
+  discharged_before_ = discharged;
+  now["particles"] = static_cast<double>(counts.particles);
+  now["bonds_intact"] = static_cast<double>(counts.bonds_intact);
+  now["bonds_broken_tension"] = static_cast<double>(counts.broken_tension);
+  now["bonds_broken_shear"] = static_cast<double>(counts.broken_shear);
+  now["fragments"] = static_cast<double>(simulation.fragments());
+  now["max_overlap_ratio"] = simulation.ledger().extremes().overlap_ratio;
+  now["wall_seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+
+  std::vector<double> row;
+  for (const Channel& channel : series_) {
+    const auto sum = sums_.find(channel.name);
+    if (sum != sums_.end()) {
+      for (const double v : sum->second) row.push_back(v / summed_time_);
+    } else {
+      row.push_back(now.at(channel.name));
+    }
+  }
+  results_.append_series(row);
+  write_ledger(simulation);
+  results_.append_breakages(has_bonds_ ? simulation.dem().take_breakages() : std::vector<Breakage>{});
+  if (simulation.product())
+    results_.append_product(simulation.time(), simulation.product()->row(simulation.time()).passing);
+  sums_.clear();
+  summed_time_ = 0;
+  ++rows_;
+}
+
+void RunOutput::write_ledger(const Simulation& simulation) {
+  const EnergyTerms& e = simulation.ledger().energy();
+  const auto residual = sums_.find("power_residual");
+  const double power_residual = residual != sums_.end() ? residual->second[0] / summed_time_ : 0;
+  const std::vector<double> row{simulation.time(),
+                                e.kinetic,
+                                e.potential,
+                                e.contact_elastic,
+                                e.bond_elastic,
+                                e.contact_damping,
+                                e.friction,
+                                e.bond_damping,
+                                e.bond_breakage,
+                                e.wall_work,
+                                e.exchanged,
+                                e.residual(),
+                                static_cast<double>(simulation.mass_count().residual()),
+                                power_residual};
+  results_.append_ledger(row);
+}
+
+void RunOutput::write_snapshot(const Simulation& simulation) {
+  const ParticleSnapshot particles = simulation.dem().particles();
+  const BondSnapshot bonds = simulation.dem().bonds();
+  std::vector<PosedWall> walls;
+  const std::vector<WallPose> poses = simulation.dem().wall_poses();
+  for (const WallPicture& picture : assembly_.pictures)
+    walls.push_back(posed(picture, poses[static_cast<std::size_t>(picture.wall)]));
+  snapshots_.write({simulation.time(), &particles, has_bonds_ ? &bonds : nullptr, walls});
+  ++frames_;
+}
+
+void RunOutput::close(Simulation& simulation) {
+  if (summed_time_ > 0) write_row(simulation);
+  results_.close();
+}
+
+}  // namespace gyro

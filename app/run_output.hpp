@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/simulation.hpp"
+#include "io/results.hpp"
+#include "io/snapshots.hpp"
+#include "io/summary.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// What a run writes while it runs: the series, the ledger, breakages, product curves and snapshots.
+/// What a case does not have gets no column.
+class RunOutput {
+ public:
+  RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
+            const std::filesystem::path& directory);
+
+  /// Adds a window to the means; writes the row and the snapshot that are due.
+  void take(const WindowResult& result, Simulation& simulation);
+  /// Writes what is left and closes the files.
+  void close(Simulation& simulation);
+
+  double mean_crushing_power() const { return time_ > 0 ? crushing_work_ / time_ : 0; }  ///< over the run [W]
+  double crushing_work() const { return crushing_work_; }                                ///< [J]
+
+ private:
+  using Row = std::map<std::string, std::vector<double>>;
+
+  std::vector<Channel> series_channels() const;
+  ResultsContent content(const CaseRecord& record) const;
+  void add_means(const WindowResult& result, const Simulation& simulation);
+  void write_row(Simulation& simulation);
+  void write_ledger(const Simulation& simulation);
+  void write_snapshot(const Simulation& simulation);
+  bool due(double interval, std::int64_t written, double time) const;
+
+  const Case& input_;
+  const Assembly& assembly_;
+  bool has_mantle_, has_drive_, has_bonds_, has_feed_, has_product_;
+  std::vector<Channel> series_;
+  ResultsFile results_;
+  SnapshotWriter snapshots_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+
+  Row sums_;                ///< of window value x window length since the last row
+  double summed_time_ = 0;  ///< [s]
+  double discharged_before_ = 0, crushing_work_ = 0, time_ = 0, power_residual_ = 0;
+  std::int64_t rows_ = 0, frames_ = 0;
+};
+
+}  // namespace gyro

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/simulation.hpp"
+
+#include "core/walls/motion.hpp"
+
+namespace gyro {
+
+Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem)
+    : input_(input), assembly_(assembly), dem_(std::move(dem)) {
+  if (input.drivetrain) drivetrain_.emplace(*input.drivetrain);
+  put_in(assembly.start);
+  if (assembly.feed) {
+    feed_.emplace(assembly.library, *assembly.feed, assembly.scene.walls, bond_strength(input));
+    put_in(feed_->initial(dem_->wall_poses(), dem_->particles()));
+  }
+  if (input.crusher)
+    product_.emplace(assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density);
+  inspect();
+  ledger_.open(dem_->energy());
+}
+
+WindowResult Simulation::advance() {
+  WindowResult result;
+  result.window = {step_, assembly_.step.per_window, assembly_.scene.dt};
+
+  const MantlePath path = drivetrain_ ? drivetrain_->predict(result.window) : MantlePath{};  // 1. the mantle leads
+  dem_->advance(result.window, path);                                                        // 2. the rock answers
+  step_ += result.window.steps;
+  result.walls = dem_->wall_loads();
+  if (assembly_.gyrating != none) {
+    result.load = mantle_load(result.walls, path, result.window.end());
+    result.mantle_force = result.walls[static_cast<std::size_t>(assembly_.gyrating)].force;
+    result.crushing_power = result.load.work / result.window.length();
+  }
+  if (drivetrain_) drivetrain_->advance(result.window, result.load);  // 3. the drivetrain catches up
+  ledger_.close(time(), dem_->energy(), dem_->extremes());            // 4. energy must balance
+  feed_rock();                                                        // 5. rock comes
+  return result;
+}
+
+/// Torque of the rock about the eccentric's axis by virtual work: T_c = -M_O . (z - (z . u) u), with
+/// M_O the moment about the pivot; and the work of all gyrating walls.
+MantleLoad Simulation::mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double end) const {
+  MantleLoad load;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const auto* motion = std::get_if<GyrationMotion>(&assembly_.scene.walls[w].motion);
+    if (motion == nullptr) continue;
+    load.work += walls[w].work;
+    const Vec3d pivot{0, 0, motion->pivot_height};
+    const Vec3d moment = walls[w].moment - cross(pivot, walls[w].force);
+    const Vec3d u = mantle_axis(
+        *motion,
+        path.angle + path.speed * (end - static_cast<double>(step_ - assembly_.step.per_window) * assembly_.scene.dt));
+    load.resisting_torque -= dot(moment, Vec3d{0, 0, 1} - u.z * u);
+  }
+  return load;
+}
+
+void Simulation::put_in(std::span<const NewRock> rocks) {
+  if (rocks.empty()) return;
+  for (const NewRock& rock : rocks) {
+    particles_put_in_ += static_cast<std::int64_t>(rock.particles.size());
+    bonds_put_in_ += static_cast<std::int64_t>(rock.bonds.size());
+  }
+  dem_->insert(rocks);
+}
+
+void Simulation::feed_rock() {
+  if (feed_ && feed_->wants(time())) put_in(feed_->due(time(), dem_->wall_poses(), dem_->particles()));
+  ledger_.open(dem_->energy());
+}
+
+void Simulation::inspect() {
+  const ParticleSnapshot particles = dem_->particles();
+  const FragmentTable table = fragment_table(particles);
+  fragments_ = static_cast<std::int64_t>(table.size());
+  if (!product_) return;
+  product_->update(table, particles);
+  const std::vector<ParticleId> gone = product_->removable(table, particles, assembly_.removal_depth);
+  if (gone.empty()) return;
+  dem_->remove(gone);
+  ledger_.open(dem_->energy());
+}
+
+FeedAccount Simulation::fed() const {
+  return feed_ ? feed_->account() : FeedAccount{};
+}
+
+MassCount Simulation::mass_count() const {
+  MassCount count;
+  count.fed = particles_put_in_;
+  count.inside = dem_->counts().particles;
+  if (product_) {
+    count.discharged = product_->state().particles;
+    count.inside = product_->inside(dem_->particles());
+  }
+  return count;
+}
+
+}  // namespace gyro

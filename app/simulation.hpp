@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/assembly.hpp"
+#include "app/ledger.hpp"
+#include "core/feed/feed.hpp"
+#include "core/fragments/product.hpp"
+#include "mbd/drivetrain.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace gyro {
+
+/// What one window did, for the series.
+struct WindowResult {
+  Window window;
+  MantleLoad load;              ///< on the drive
+  Vec3d mantle_force{0, 0, 0};  ///< of the rock on the gyrating wall, mean [N]
+  double crushing_power = 0;    ///< [W]
+  std::vector<WallLoad> walls;  ///< one per wall
+};
+
+/// The coupled run: DEM, drivetrain, feed, product and ledger, one window at a time.
+///
+/// Serial staggered exchange (cf. Lommen, Lodewijks & Schott 2018): the drivetrain leads with a
+/// path, the rock answers with the work done along it, the drivetrain catches up.
+class Simulation {
+ public:
+  /// @param dem  empty scene made from `assembly.scene`
+  Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem);
+
+  /// Advances by one window. @throws StoppedByGuard
+  WindowResult advance();
+
+  /// Looks at the fragments: counts what has passed the discharge plane, takes out what has left.
+  /// Called once per row of the series.
+  void inspect();
+
+  double time() const { return static_cast<double>(step_) * assembly_.scene.dt; }
+  const Dem& dem() const { return *dem_; }
+  Dem& dem() { return *dem_; }
+  const Ledger& ledger() const { return ledger_; }
+  const std::optional<Drivetrain>& drivetrain() const { return drivetrain_; }
+  const std::optional<Feed>& feed() const { return feed_; }
+  const std::optional<Product>& product() const { return product_; }
+  FeedAccount fed() const;
+  MassCount mass_count() const;
+  std::int64_t fragments() const { return fragments_; }
+  std::int64_t bonds_initial() const { return bonds_put_in_; }
+
+ private:
+  void put_in(std::span<const NewRock> rocks);
+  void feed_rock();
+  MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double end) const;
+
+  const Case& input_;
+  const Assembly& assembly_;
+  std::unique_ptr<Dem> dem_;
+  std::optional<Drivetrain> drivetrain_;
+  std::optional<Feed> feed_;
+  std::optional<Product> product_;
+  Ledger ledger_;
+  std::int64_t step_ = 0;
+  std::int64_t particles_put_in_ = 0, bonds_put_in_ = 0, fragments_ = 0;
+};
+
+}  // namespace gyro

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/time_step.hpp"
+
+#include "core/base/errors.hpp"
+#include "core/dem/contact_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace gyro {
+
+BedContacts bed_contacts(const Scene& scene) {
+  constexpr double number = 6, overlap = 0.05;
+  const ContactLaw<double> law = contact_law<double>(scene, scene.rock_material, scene.rock_material);
+  const double root = std::sqrt(0.5 * overlap);  // sqrt(R* delta)/R for equal spheres
+  BedContacts bed;
+  bed.number = number;
+  bed.normal_stiffness = 2 * law.youngs * root;
+  bed.tangential_stiffness = 8 * law.shear * root;
+  bed.normal_damping = bed.tangential_damping = std::sqrt(5.0 / 6) * law.damping;
+  return bed;
+}
+
+BondParameters bond_parameters(const CaseBonds& bonds) {
+  BondParameters p;
+  if (const auto* area = std::get_if<StiffnessPerArea>(&bonds.stiffness)) {
+    p.normal_stiffness = area->normal;
+    p.shear_stiffness = area->shear;
+  } else {
+    const auto& modulus = std::get<StiffnessFromModulus>(bonds.stiffness);
+    p.normal_modulus = modulus.modulus;
+    p.shear_modulus = modulus.modulus / modulus.ratio;
+  }
+  p.tensile_strength = bonds.tensile_strength;
+  p.shear_strength = bonds.shear_strength;
+  p.damping = bonds.damping;
+  return p;
+}
+
+RockTemplate as_template(const NewRock& rock, const std::string& name) {
+  RockTemplate t;
+  t.name = name;
+  for (const NewParticle& p : rock.particles) {
+    t.centres.push_back(p.position);
+    t.radii.push_back(p.radius);
+    t.particle_density = p.density;
+  }
+  for (const NewBond& b : rock.bonds) t.bonds.push_back({b.i, b.j, b.length, b.radius});
+  t.colour_begin = rock.colour_begin;
+  return t;
+}
+
+namespace {
+
+struct Limit {
+  double step = 1e300;
+  std::string by;
+  void consider(double other, const std::string& what) {
+    if (other < step) {
+      step = other;
+      by = what;
+    }
+  }
+};
+
+Limit stability_limit(const Scene& scene, const RockLibrary& library, std::span<const NewRock> start) {
+  const BedContacts bed = bed_contacts(scene);
+  Limit limit;
+  double smallest = 1e300, density = 0;
+  const auto see_particle = [&](double radius, double rho) {
+    if (radius * std::sqrt(rho) < smallest * std::sqrt(density > 0 ? density : rho)) {
+      smallest = radius;
+      density = rho;
+    }
+  };
+  for (const RockTemplate& rock : library.rocks) {
+    if (scene.bonds) limit.consider(rock.critical_step, "bonds of rock " + rock.name);
+    for (const double r : rock.radii) see_particle(r, rock.particle_density);
+  }
+  for (const NewRock& rock : start) {
+    if (scene.bonds && !rock.bonds.empty()) {
+      const std::string name = std::to_string(rock.id);
+      limit.consider(critical_step(as_template(rock, name), *scene.bonds, bed), "bonds of rock " + name);
+    }
+    for (const NewParticle& p : rock.particles) see_particle(p.radius, p.density);
+  }
+  if (density > 0) {
+    std::ostringstream what;
+    what << "contacts of particles of radius " << smallest * 1e3 << " mm";
+    limit.consider(loose_critical_step(smallest, density, bed), what.str());
+  }
+  return limit;
+}
+
+}  // namespace
+
+StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary& library,
+                       std::span<const NewRock> start) {
+  const Limit limit = stability_limit(scene, library, start);
+  StepChoice choice;
+  choice.limit = limit.step;
+  choice.limited_by = limit.by;
+  double wanted = std::min(input.time.safety * limit.step, input.coupling_interval);
+  if (input.time.step) {
+    wanted = *input.time.step;
+    if (wanted > limit.step) {
+      std::ostringstream message;
+      message << "time.step " << wanted << " s is above the stability limit of " << limit.step << " s (" << limit.by
+              << "); at most " << input.time.safety * limit.step << " s, or auto";
+      throw BadInput(message.str());
+    }
+  }
+  choice.per_window = static_cast<int>(std::ceil(input.coupling_interval / wanted * (1 - 1e-9)));
+  choice.dt = input.coupling_interval / choice.per_window;
+  return choice;
+}
+
+}  // namespace gyro
