@@ -78,18 +78,24 @@ Vec3d DemSolver<Exec, Real>::momentum() const {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::drain_breakages(const Window& window) {
   if (!has_bonds()) return;
-  auto flags = Exec::host(flags_);
+  Host<std::int32_t> flags = Exec::host(flags_);
   const auto count = static_cast<std::size_t>(flags[2]);
   if (count == 0) return;
+  const auto& events = Exec::host(events_);
+  const auto& bond_i = Exec::host(bonds_.i);
+  const auto& bond_j = Exec::host(bonds_.j);
+  const auto& place = Exec::host(particles_.place);
+  const auto& id = Exec::host(particles_.id);
+  const auto& block = Exec::host(particles_.block);
+  const auto& blocks = Exec::host(blocks_);
   std::vector<Breakage> drained;
   for (std::size_t k = 0; k < count; ++k) {
-    const BreakEvent& e = events_[k];
-    const auto i = static_cast<std::size_t>(bonds_.i[static_cast<std::size_t>(e.bond)]),
-               j = static_cast<std::size_t>(bonds_.j[static_cast<std::size_t>(e.bond)]);
-    const Vec3d middle = 0.5 * (particles_.place[i].x + particles_.place[j].x);
+    const BreakEvent& e = events[k];
+    const auto i = static_cast<std::size_t>(bond_i[static_cast<std::size_t>(e.bond)]),
+               j = static_cast<std::size_t>(bond_j[static_cast<std::size_t>(e.bond)]);
+    const Vec3d middle = 0.5 * (place[i].x + place[j].x);
     drained.push_back({static_cast<double>(e.step) * window.dt, static_cast<BreakMode>(e.mode), middle,
-                       blocks_[static_cast<std::size_t>(particles_.block[i])].rock, particles_.id[i], particles_.id[j],
-                       e.energy});
+                       blocks[static_cast<std::size_t>(block[i])].rock, id[i], id[j], e.energy});
   }
   std::sort(drained.begin(), drained.end(), [](const Breakage& a, const Breakage& b) {
     return std::tie(a.time, a.i, a.j) < std::tie(b.time, b.i, b.j);
@@ -101,49 +107,65 @@ void DemSolver<Exec, Real>::drain_breakages(const Window& window) {
   counts_total_.bonds_intact -= static_cast<std::int64_t>(count);
   breakages_.insert(breakages_.end(), drained.begin(), drained.end());
   flags[2] = 0;
-  Exec::upload(flags_, flags);
+  Exec::upload(flags_, std::move(flags));
 }
 
 template <class Exec, class Real>
 ParticleSnapshot DemSolver<Exec, Real>::particles() const {
+  const auto& place = Exec::host(particles_.place);
+  const auto& motion = Exec::host(particles_.motion);
+  const auto& spin = Exec::host(particles_.spin);
+  const auto& load = Exec::host(particles_.load);
+  const auto& block = Exec::host(particles_.block);
+  const auto& blocks = Exec::host(blocks_);
   ParticleSnapshot s;
-  const auto n = static_cast<std::size_t>(particle_count());
-  for (std::size_t k = 0; k < n; ++k) {
-    const Motion& motion = particles_.motion[k];
-    s.id.push_back(particles_.id[k]);
-    const Index block = particles_.block[k];
-    s.rock.push_back(block == none ? none : blocks_[static_cast<std::size_t>(block)].rock);
-    s.position.push_back(particles_.place[k].x);
-    s.velocity.push_back(motion.v);
-    s.spin.push_back(particles_.spin[k].w);
-    s.force.push_back(particles_.load[k].force - motion.mass * scene_.gravity);
-    s.radius.push_back(particles_.place[k].radius);
-    s.mass.push_back(motion.mass);
+  s.id = Exec::host(particles_.id);
+  for (std::size_t k = 0; k < s.id.size(); ++k) {
+    s.rock.push_back(block[k] == none ? none : blocks[static_cast<std::size_t>(block[k])].rock);
+    s.position.push_back(place[k].x);
+    s.velocity.push_back(motion[k].v);
+    s.spin.push_back(spin[k].w);
+    s.force.push_back(load[k].force - motion[k].mass * scene_.gravity);
+    s.radius.push_back(place[k].radius);
+    s.mass.push_back(motion[k].mass);
   }
-  std::vector<Index> i, j;
-  for (std::size_t b = 0; b < bonds_.i.size(); ++b)
-    if (bonds_.state[b] == bond_glued) {
-      i.push_back(bonds_.i[b]);
-      j.push_back(bonds_.j[b]);
-    }
-  s.fragment = fragment_labels(particle_count(), i, j);
+  const GluedBonds glued = glued_bonds();
+  s.fragment = fragment_labels(particle_count(), glued.i, glued.j);
   return s;
+}
+
+template <class Exec, class Real>
+auto DemSolver<Exec, Real>::glued_bonds() const -> GluedBonds {
+  const auto& i = Exec::host(bonds_.i);
+  const auto& j = Exec::host(bonds_.j);
+  const auto& state = Exec::host(bonds_.state);
+  GluedBonds glued;
+  for (std::size_t b = 0; b < i.size(); ++b) {
+    if (state[b] != bond_glued) continue;
+    glued.bond.push_back(b);
+    glued.i.push_back(i[b]);
+    glued.j.push_back(j[b]);
+  }
+  return glued;
 }
 
 template <class Exec, class Real>
 BondSnapshot DemSolver<Exec, Real>::bonds() const {
   BondSnapshot s;
-  for (std::size_t b = 0; b < bonds_.i.size(); ++b) {
-    if (bonds_.state[b] != bond_glued) continue;
-    const BondLoad<Real> load = bond_load_now(view(), bond_view(), bond_law(), static_cast<Index>(b));
-    const auto &a = particles_.place[static_cast<std::size_t>(bonds_.i[b])],
-               &c = particles_.place[static_cast<std::size_t>(bonds_.j[b])];
-    const Vec3d span = c.x - a.x;
-    s.i.push_back(bonds_.i[b]);
-    s.j.push_back(bonds_.j[b]);
-    s.normal_force.push_back(-dot(cast<double>(load.force), span) / norm(span));
-    s.stress_ratio.push_back(static_cast<double>(larger(load.tension_ratio, load.shear_ratio)));
-    s.radius.push_back(static_cast<double>(bonds_.radius[b]));
+  if (!has_bonds()) return s;
+  Buffer<BondNow> noted;
+  noted.resize(bonds_.i.size());
+  exec_.for_each("note bonds", static_cast<Index>(noted.size()),
+                 NoteBonds<Real>{view(), bond_view(), bond_law(), noted.data()});
+  const auto& now = Exec::host(noted);
+  const auto& radius = Exec::host(bonds_.radius);
+  GluedBonds glued = glued_bonds();
+  s.i = std::move(glued.i);
+  s.j = std::move(glued.j);
+  for (const std::size_t b : glued.bond) {
+    s.normal_force.push_back(now[b].normal_force);
+    s.stress_ratio.push_back(now[b].stress_ratio);
+    s.radius.push_back(static_cast<double>(radius[b]));
   }
   return s;
 }

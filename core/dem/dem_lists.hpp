@@ -33,7 +33,7 @@ void DemSolver<Exec, Real>::rebuild_lists() {
 struct Extent {
   double smallest = 1e300, largest = 0;
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  friend Extent operator+(const Extent& a, const Extent& b) {
+  GYRO_HD friend Extent operator+(const Extent& a, const Extent& b) {
     return {smaller(a.smallest, b.smallest),
             larger(a.largest, b.largest),
             {smaller(a.low.x, b.low.x), smaller(a.low.y, b.low.y), smaller(a.low.z, b.low.z)},
@@ -101,7 +101,7 @@ void DemSolver<Exec, Real>::list_pairs(const Grid& grid) {
                  counts_.data(),
                  nullptr};
   exec_.for_each("count pairs", n, find);
-  const auto total = static_cast<std::size_t>(Exec::exclusive_scan(n, counts_.data()));
+  const auto total = static_cast<std::size_t>(exec_.exclusive_scan(n, counts_.data()));
   pairs_.pairs.resize(total);
   pairs_.memory.resize(total);
   pairs_.result.resize(total);
@@ -115,12 +115,14 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::list_ends() {
   const Index n = particle_count(), count = static_cast<Index>(pairs_.pairs.size());
   const auto rows = static_cast<std::size_t>(n) + 1;
-  pairs_.row_begin.resize(rows);
-  Exec::upload(end_counts_, std::vector<std::int32_t>(rows, 0));
-  exec_.for_each("count ends", count, EnterEnds{pairs_.pairs.data(), end_counts_.data(), nullptr, nullptr});
-  std::copy(end_counts_.begin(), end_counts_.end(), pairs_.row_begin.begin());
-  Exec::exclusive_scan(n, pairs_.row_begin.data());
-  Exec::upload(end_counts_, std::vector<std::int32_t>(rows, 0));
+  const auto clear = [rows](auto& counts) {  // what a buffer gains is zero
+    counts.resize(0);
+    counts.resize(rows);
+  };
+  clear(pairs_.row_begin);
+  exec_.for_each("count ends", count, EnterEnds{pairs_.pairs.data(), pairs_.row_begin.data(), nullptr, nullptr});
+  exec_.exclusive_scan(n, pairs_.row_begin.data());
+  clear(end_counts_);
   exec_.for_each("enter ends", count,
                  EnterEnds{pairs_.pairs.data(), end_counts_.data(), pairs_.row_begin.data(), pairs_.ends.data()});
   exec_.for_each("sort rows", n, SortRow{view(), pairs_.pairs.data(), pairs_.row_begin.data(), pairs_.ends.data()});
@@ -132,7 +134,7 @@ void DemSolver<Exec, Real>::list_walls() {
   walls_.row_begin.resize(static_cast<std::size_t>(n) + 1);
   FindWalls<Real> find{view(), surfaces_.data(), poses_, surfaces_.count(), margin_, walls_.row_begin.data(), nullptr};
   exec_.for_each("count walls", n, find);
-  const auto total = static_cast<std::size_t>(Exec::exclusive_scan(n, walls_.row_begin.data()));
+  const auto total = static_cast<std::size_t>(exec_.exclusive_scan(n, walls_.row_begin.data()));
   walls_.entries.resize(total);
   walls_.memory.resize(total);
   walls_.result.resize(total);

@@ -14,8 +14,9 @@
 namespace gyro {
 
 /// The discrete element method on an executor (Cpu, Cuda), with the loads in Real. A step is in
-/// dem_step.hpp, the neighbour lists in dem_lists.hpp, coming and going of rock in dem_exchange.hpp,
-/// the accounts and snapshots in dem_accounts.hpp.
+/// dem_step.hpp, the neighbour lists in dem_lists.hpp, coming and going of rock in dem_exchange.hpp and
+/// dem_removal.hpp, the accounts and snapshots in dem_accounts.hpp. Nothing here reads an element of a
+/// buffer: kernels do, or host copies.
 template <class Exec, class Real>
 class DemSolver final : public Dem {
  public:
@@ -81,21 +82,46 @@ class DemSolver final : public Dem {
   void list_walls();
   void book_walls();
 
+  /// Rock on its way in, on the host.
+  struct Arrivals {
+    Particles<Host> particles;
+    Bonds<Host, Real> bonds;
+    Host<Block> blocks;
+    Host<Index> colour_begin;
+    std::int64_t bonds_glued = 0;
+    double exchanged = 0;  ///< EnergyTerms::exchanged with the new rock [J]
+  };
+  /// Particles that stay: new place of every particle, or none; old place of those that stay.
+  struct Remaining {
+    Host<Index> new_index, old_index;
+  };
+
+  /// Bonds that hold: their places and ends.
+  struct GluedBonds {
+    Host<std::size_t> bond;
+    Host<Index> i, j;
+  };
+
   // dem_exchange.hpp
-  void append(const NewRock& rock);
-  void append_bonds(const NewRock& rock, Index first_particle);
+  void arrive(const NewRock& rock, Arrivals& fresh) const;
+  void arrive_bonds(const NewRock& rock, Index first_particle, Arrivals& fresh) const;
+  void take_in(const Arrivals& fresh);
   void index_bonds();
   void resize_rows();
-  void keep_particles(const Host<Index>& new_index, Index kept);
-  void keep_bonds(const Host<Index>& new_index);
-  void keep_pairs(const Host<Index>& new_index, Index kept);
-  void keep_walls(const Host<Index>& new_index, Index kept);
+
+  // dem_removal.hpp
+  Remaining without(std::span<const ParticleId> ids) const;
+  void keep_particles(const Remaining& remaining);
+  void keep_bonds(const Remaining& remaining);
+  void keep_pairs(const Remaining& remaining);
+  void keep_walls(const Remaining& remaining);
 
   // dem_accounts.hpp
   ParticleSums particle_sums() const;
   ContactSums contact_sums() const;
   BondSums bond_sums() const;
   void drain_breakages(const Window& window);
+  GluedBonds glued_bonds() const;
 
   ParticleView view() const;
   BondView<Real> bond_view() const;

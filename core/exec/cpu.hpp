@@ -23,6 +23,11 @@ namespace gyro {
 ///   reduce(label, n, map)           sum of map(i), added in a fixed order
 ///   exclusive_scan(n, counts)       in place, n + 1 numbers; returns the total
 ///   sort_by_key(keys, values)       stable
+///   host, upload, append, keep      the host's side of a buffer
+///
+/// A buffer has size(), data() and resize(n), which keeps what is there and sets what is new to zero.
+/// Its elements are read and written by kernels or through the last four operations only. Kernels get
+/// pointers, which hold until the buffer is next given a size or contents.
 ///
 /// Labels name the phases of a step for timers and profilers.
 class Cpu {
@@ -120,6 +125,19 @@ class Cpu {
   template <class T>
   static void upload(Buffer<T>& buffer, std::vector<T> values) {
     buffer = std::move(values);
+  }
+  /// Adds elements at the end.
+  template <class T>
+  static void append(Buffer<T>& buffer, const std::vector<T>& values) {
+    buffer.insert(buffer.end(), values.begin(), values.end());
+  }
+  /// Shortens a buffer: element k becomes what was element source[k], zero where that is `none`.
+  /// @param source  source[k] >= k
+  template <class T>
+  static void keep(Buffer<T>& buffer, const std::vector<Index>& source) {
+    for (std::size_t k = 0; k < source.size(); ++k)
+      buffer[k] = source[k] == none ? T{} : buffer[static_cast<std::size_t>(source[k])];
+    buffer.resize(source.size());
   }
 
  private:

@@ -23,7 +23,7 @@ struct ParticleSums {
   std::int64_t not_finite = 0;
   ParticleId culprit = 0;  ///< lowest id that is not finite
 
-  friend ParticleSums operator+(const ParticleSums& a, const ParticleSums& b) {
+  GYRO_HD friend ParticleSums operator+(const ParticleSums& a, const ParticleSums& b) {
     ParticleSums s;
     s.kinetic = a.kinetic + b.kinetic;
     s.potential = a.potential + b.potential;
@@ -68,7 +68,7 @@ struct ContactSums {
   double elastic = 0, overlap_ratio = 0;
   ParticleId culprit = 0;  ///< one of the two of the largest overlap
 
-  friend ContactSums operator+(const ContactSums& a, const ContactSums& b) {
+  GYRO_HD friend ContactSums operator+(const ContactSums& a, const ContactSums& b) {
     const bool first = a.overlap_ratio >= b.overlap_ratio;
     return ContactSums{a.elastic + b.elastic, first ? a.overlap_ratio : b.overlap_ratio, first ? a.culprit : b.culprit};
   }
@@ -124,7 +124,7 @@ struct SumWallContacts {
 struct BondSums {
   double elastic = 0;
   std::int64_t intact = 0;
-  friend BondSums operator+(const BondSums& a, const BondSums& b) {
+  GYRO_HD friend BondSums operator+(const BondSums& a, const BondSums& b) {
     return {a.elastic + b.elastic, a.intact + b.intact};
   }
 };
@@ -150,6 +150,28 @@ struct SumBonds {
   }
 };
 
+/// What a snapshot says of a glued bond.
+struct BondNow {
+  double normal_force;  ///< tension positive [N]
+  double stress_ratio;  ///< larger of tension/strength and shear/strength [-]
+};
+
+template <class Real>
+struct NoteBonds {
+  ParticleView p;
+  BondView<Real> b;
+  BondLaw<Real> law;
+  BondNow* now;
+
+  GYRO_HD void operator()(Index n) const {
+    if (b.state[n] != bond_glued) return;
+    const BondLoad<Real> load = bond_load_now(p, b, law, n);
+    const Vec3d span = p.place[b.j[n]].x - p.place[b.i[n]].x;
+    now[n] = {-dot(cast<double>(load.force), span) / norm(span),
+              static_cast<double>(larger(load.tension_ratio, load.shear_ratio))};
+  }
+};
+
 /// Adds up what the entries of one wall have booked.
 template <class Real>
 struct SumWall {
@@ -159,7 +181,7 @@ struct SumWall {
   GYRO_HD WallSum operator()(Index n) const { return walls.entries[n].wall == wall ? walls.sums[n] : WallSum{}; }
 };
 
-inline WallSum operator+(const WallSum& a, const WallSum& b) {
+GYRO_HD inline WallSum operator+(const WallSum& a, const WallSum& b) {
   WallSum s;
   for (int k = 0; k < 3; ++k) {
     s.force[k] = a.force[k] + b.force[k];
