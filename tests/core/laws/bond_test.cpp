@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bond law as mechanics: loads from energy, momentum, frames.
+#include "tests/catch.hpp"
+#include "tests/core/laws/bonds.hpp"
+
+#include <functional>
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+/// -dU/ds for a change of the ends by a small amount s, by central differences.
+double pull_back(const Ends& ends, double arm, double h, const std::function<void(Ends&, double)>& change) {
+  Ends up = ends, down = ends;
+  change(up, h);
+  change(down, -h);
+  return -(load_of(up, paper_law(), arm).elastic - load_of(down, paper_law(), arm).elastic) / (2 * h);
+}
+
+struct Gradient {
+  Vec3d force_i, force_j, moment_i, moment_j;
+};
+
+Gradient gradient(const Ends& ends, double arm) {
+  const double step = 1e-9, angle = 1e-7;
+  const Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  double f_i[3], f_j[3], m_i[3], m_j[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vec3d a = axes[k];
+    f_i[k] = pull_back(ends, arm, step, [a](Ends& e, double s) { e.i += s * a; });
+    f_j[k] = pull_back(ends, arm, step, [a](Ends& e, double s) { e.j += s * a; });
+    m_i[k] = pull_back(ends, arm, angle, [a](Ends& e, double s) { e.turn_i = rotation_about(a, s) * e.turn_i; });
+    m_j[k] = pull_back(ends, arm, angle, [a](Ends& e, double s) { e.turn_j = rotation_about(a, s) * e.turn_j; });
+  }
+  const auto v = [](const double* c) { return Vec3d{c[0], c[1], c[2]}; };
+  return {v(f_i), v(f_j), v(m_i), v(m_j)};
+}
+
+/// Largest difference of loads and gradient, moments measured in units of force x length.
+double mismatch(const Ends& ends, double arm) {
+  const BondLoad<double> load = load_of(ends, paper_law(), arm);
+  const Gradient g = gradient(ends, arm);
+  return std::max({distance(load.force, g.force_j), distance(-load.force, g.force_i),
+                   distance(load.moment_i, g.moment_i) / bond_length,
+                   distance(load.moment_j, g.moment_j) / bond_length});
+}
+
+double size_of(const Ends& ends, double arm) {
+  const BondLoad<double> load = load_of(ends, paper_law(), arm);
+  return norm(load.force) + (norm(load.moment_i) + norm(load.moment_j)) / bond_length;
+}
+
+}  // namespace
+
+TEST_CASE("Stretch and shear of a bond derive from its energy", "[laws][bond]") {
+  const double arm = GENERATE(0.5, 0.3, 0.85);
+  for (std::uint64_t k = 0; k < 10; ++k) {
+    Ends ends = strained(k, 2e-3);
+    ends.turn_j = ends.turn_i;
+    CHECK(mismatch(ends, arm) < 1e-6 * size_of(ends, arm));
+  }
+}
+
+TEST_CASE("Bending and twist derive from the energy to first order in the strains", "[laws][bond]") {
+  // The law leaves out terms of second order, (ks J - kn I) theta_n theta_s: halving the strain must
+  // quarter the mismatch.
+  const double arm = GENERATE(0.5, 0.3, 0.85);
+  for (std::uint64_t k = 0; k < 10; ++k) {
+    const Ends large = strained(k, 4e-3), small = strained(k, 2e-3);
+    const double a = mismatch(large, arm), b = mismatch(small, arm);
+    CHECK(a < 4e-3 * size_of(large, arm));
+    CHECK(a / b == Approx(4).epsilon(0.1));
+  }
+}
+
+TEST_CASE("A bond gives and takes no angular momentum", "[laws][bond]") {
+  const double arm = GENERATE(0.5, 0.3, 0.85);
+  BondLaw<double> law = paper_law();
+  law.damping = 0.1;
+  for (std::uint64_t k = 0; k < 50; ++k) {
+    const Ends ends = strained(k, 4e-3);
+    const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
+    const BondStrain<double> strain = strain_of(ends, arm);
+    const BondLoad<double> glued = bond_load(law, paper_section(arm), strain, rates);
+    const BondLoad<double> loose = unglued_load(law, paper_section(arm), strain, rates).load;
+    for (const BondLoad<double>& load : {glued, loose}) {
+      const Vec3d lack = load.moment_i + load.moment_j + cross(ends.j - ends.i, load.force);
+      CHECK(norm(lack) <= 1e-12 * (norm(load.moment_i) + norm(load.moment_j)));
+    }
+  }
+}
+
+TEST_CASE("A bond does not see rigid rotations", "[laws][bond]") {
+  const double arm = GENERATE(0.5, 0.3);
+  BondLaw<double> law = paper_law();
+  law.damping = 0.1;
+  for (std::uint64_t k = 0; k < 50; ++k) {
+    const Ends ends = strained(k, 4e-3);
+    const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
+    const Quatd q = random_turn(k, 30);
+    const BondEnds<double> here{ends.j - ends.i, ends.turn_i, ends.turn_j};
+    const BondEnds<double> there{rotate(q, here.span), q * here.turn_i, q * here.turn_j};
+    const BondRates<double> rates_there{rotate(q, rates.velocity), rotate(q, rates.spin_i), rotate(q, rates.spin_j)};
+    const BondLoad<double> a = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), here), rates);
+    const BondLoad<double> b = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), there), rates_there);
+    const double force = norm(a.force) + 1884.956, moment = norm(a.moment_i) + norm(a.moment_j) + 3.534;
+    CHECK(distance(rotate(q, a.force), b.force) < 2e-12 * force);
+    CHECK(distance(rotate(q, a.moment_i), b.moment_i) < 2e-12 * moment);
+    CHECK(distance(rotate(q, a.moment_j), b.moment_j) < 2e-12 * moment);
+    CHECK(std::abs(a.tension_ratio - b.tension_ratio) < 2e-12 * (1 + std::abs(a.tension_ratio)));
+    CHECK(std::abs(a.shear_ratio - b.shear_ratio) < 2e-12 * (1 + a.shear_ratio));
+    CHECK(std::abs(a.elastic - b.elastic) < 4e-12 * (1 + a.elastic));
+  }
+}
+
+TEST_CASE("A rigid motion loads no bond and is not damped", "[laws][bond]") {
+  BondLaw<double> law = paper_law();
+  law.damping = 0.3;
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const double arm = 0.5 + 0.4 * random_number(k, 40);
+    const Quatd q = random_turn(k, 0);
+    Ends ends;
+    ends.j = rotate(q, ends.j);
+    ends.turn_i = ends.turn_j = q;
+    const Vec3d spin = 100.0 * random_vector(k, 4);
+    const BondRates<double> rates{cross(spin, ends.j - ends.i), spin, spin};
+    const BondLoad<double> load = bond_load(law, paper_section(arm), strain_of(ends, arm), rates);
+    CHECK(norm(load.force) < 1e-8);      // of 2827 N
+    CHECK(norm(load.moment_j) < 1e-10);  // of 3.5 N m
+    CHECK(load.damped < 1e-24);
+    CHECK(load.elastic < 1e-18);
+  }
+}

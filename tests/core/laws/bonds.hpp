@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/laws/bond.hpp"
+#include "core/math/random.hpp"
+
+#include <cmath>
+
+// Bonds that several tests share: two particles of 25 mm, a bond of 5 mm radius, the paper's stiffness.
+
+namespace gyro::test {
+
+inline constexpr double bond_length = 0.025, bond_radius = 0.005;
+inline constexpr double normal_rate = 1.311615e8;  ///< kn A [N/m]
+inline constexpr double shear_rate = 5.238606e7;   ///< ks A [N/m]
+inline constexpr double bend_rate = 819.759;       ///< kn I [N m]
+inline constexpr double twist_rate = 654.826;      ///< ks J [N m]
+
+inline BondLaw<double> paper_law() {
+  return {1.67e12, 6.67e11, 0, 0, 36e6, 24e6, 0, 0.5, 1e-6};
+}
+
+inline double sphere_mass() {
+  return 2600 * 4.0 / 3 * M_PI * std::pow(bond_length / 2, 3);
+}
+inline double sphere_inertia() {
+  return 0.4 * sphere_mass() * std::pow(bond_length / 2, 2);
+}
+
+inline BondSection<double> paper_section(double arm = 0.5) {
+  return {bond_radius, 1, std::sqrt(sphere_mass() / 2), std::sqrt(sphere_inertia() / 2), arm, bond_length};
+}
+
+inline BondRates<double> at_rest() {
+  return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+}
+
+/// Number in (-1, 1), the same for the same arguments.
+inline double random_number(std::uint64_t thing, std::uint32_t draw) {
+  return 2 * uniform(7, Stream::shape, thing, draw) - 1;
+}
+inline Vec3d random_vector(std::uint64_t thing, std::uint32_t draw) {
+  return {random_number(thing, draw), random_number(thing, draw + 1), random_number(thing, draw + 2)};
+}
+inline Quatd random_turn(std::uint64_t thing, std::uint32_t draw) {
+  const Vec3d v = random_vector(thing, draw);
+  return normalised(Quatd{random_number(thing, draw + 3), v.x, v.y, v.z});
+}
+
+/// Rotation by a vector: its direction is the axis, its size the angle.
+inline Quatd rotation_by(const Vec3d& r) {
+  const double angle = norm(r);
+  return angle > 0 ? rotation_about((1 / angle) * r, angle) : Quatd{1, 0, 0, 0};
+}
+
+/// Two ends of a bond.
+struct Ends {
+  Vec3d i{0, 0, 0}, j{bond_length, 0, 0};
+  Quatd turn_i{1, 0, 0, 0}, turn_j{1, 0, 0, 0};
+
+  BondEnds<double> relative() const { return {j - i, turn_i, turn_j}; }
+};
+
+inline BondShape<double> paper_shape(double arm = 0.5) {
+  return {{1, 0, 0}, bond_length, arm};
+}
+
+inline BondStrain<double> strain_of(const Ends& ends, double arm = 0.5) {
+  return bond_strain(paper_shape(arm), ends.relative());
+}
+inline BondLoad<double> load_of(const Ends& ends, const BondLaw<double>& law = paper_law(), double arm = 0.5) {
+  return bond_load(law, paper_section(arm), strain_of(ends, arm), at_rest());
+}
+
+/// Ends anywhere in space, turned anyhow, with stretch, shear and relative turn of size `strain`.
+inline Ends strained(std::uint64_t thing, double strain) {
+  Ends e;
+  const Quatd all = random_turn(thing, 0);
+  e.i = random_vector(thing, 4);
+  const Vec3d off = strain * bond_length * random_vector(thing, 7);
+  e.j = e.i + rotate(all, Vec3d{bond_length, 0, 0} + Vec3d{0.2 * off.x, off.y, off.z});
+  e.turn_i = rotation_by(strain * random_vector(thing, 10)) * all;
+  e.turn_j = rotation_by(strain * random_vector(thing, 13)) * all;
+  return e;
+}
+
+inline double distance(const Vec3d& a, const Vec3d& b) {
+  return norm(a - b);
+}
+
+}  // namespace gyro::test

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contact law on prescribed paths, and the restitution behind its damping.
+#include "tests/catch.hpp"
+#include "tests/core/laws/bonds.hpp"
+
+#include "core/laws/hertz_mindlin.hpp"
+#include "core/laws/restitution.hpp"
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+constexpr double youngs = 8.6e8, shear = 1.7e8, radius = 0.005, mass = 0.002;
+
+ContactLaw<double> elastic_law() {
+  return {youngs, shear, 0, 0.5, 0, 1e-6};
+}
+ContactMotion<double> resting(double overlap) {
+  return {{0, 0, 1}, overlap, {0, 0, 0}, {0, 0, 0}, radius, mass, 2e-8};
+}
+double hertz(double overlap) {
+  return 4.0 / 3 * youngs * std::sqrt(radius) * std::pow(overlap, 1.5);
+}
+
+/// A contact that is moved along a path, with the work done against its tangential force.
+struct Path {
+  ContactLaw<double> law = elastic_law();
+  Vec3d memory{0, 0, 0};
+  double overlap = 0, work = 0, lost = 0, smallest_loss = 0;
+
+  void go(double to_overlap, const Vec3d& slip, int steps) {
+    const double from = overlap;
+    for (int k = 1; k <= steps; ++k) {
+      ContactMotion<double> c = resting(from + (to_overlap - from) * k / steps);
+      if (c.overlap <= 0) c.overlap = 1e-15;
+      c.velocity = (1 / (steps * law.dt)) * slip;
+      const Vec3d before = memory;
+      const ContactLoad<double> load = hertz_mindlin(law, c, memory, overlap);
+      work -= 0.5 * law.dt * dot(before + load.elastic, c.velocity);
+      lost += load.slipped;
+      smallest_loss = std::min(smallest_loss, load.slipped);
+      memory = load.elastic;
+      overlap = c.overlap;
+    }
+  }
+  double stored() const { return norm2(memory) / (16 * law.shear * std::sqrt(radius * overlap)); }
+};
+
+}  // namespace
+
+TEST_CASE("Normal force is Hertz's plus damping, and never pulls", "[laws][contact]") {
+  ContactLaw<double> law = elastic_law();
+  law.damping = 0.6;
+  for (const double overlap : {1e-6, 1e-5, 1e-4}) {
+    CHECK(-hertz_mindlin(law, resting(overlap), {0, 0, 0}, 0.0).force.z == Approx(hertz(overlap)).epsilon(1e-12));
+    const double stiffness = 2 * youngs * std::sqrt(radius * overlap);
+    const double damper = 2 * std::sqrt(5.0 / 6) * 0.6 * std::sqrt(stiffness * mass);
+    for (const double speed : {-3.0, -0.3, -0.01, 0.01, 0.3, 3.0}) {
+      ContactMotion<double> c = resting(overlap);
+      c.velocity = {0, 0, speed};
+      const ContactLoad<double> load = hertz_mindlin(law, c, {0, 0, 0}, 0.0);
+      CHECK(-load.force.z == Approx(std::max(0.0, hertz(overlap) + damper * speed)).epsilon(1e-12));
+      CHECK(load.damped == Approx(law.dt * (-load.force.z - hertz(overlap)) * speed));
+      CHECK(load.damped >= 0);
+    }
+  }
+}
+
+TEST_CASE("Stored energy of a contact is the work of Hertz's force", "[laws][contact]") {
+  const double depth = 1e-4;
+  double work = 0;
+  const int steps = 20000;
+  for (int k = 0; k < steps; ++k) work += hertz((k + 0.5) * depth / steps) * depth / steps;
+  CHECK(contact_energy(elastic_law(), radius, depth, {0, 0, 0}) == Approx(work).epsilon(1e-6));
+  CHECK(contact_energy(elastic_law(), radius, depth, {3, 4, 0}) - work ==
+        Approx(25 / (16 * shear * std::sqrt(radius * depth))).epsilon(1e-3));
+}
+
+TEST_CASE("A sticking contact is Mindlin's spring; a sliding one is Coulomb's limit exactly", "[laws][contact]") {
+  const double overlap = 1e-5, limit = 0.5 * hertz(overlap), stiffness = 8 * shear * std::sqrt(radius * overlap);
+  Path path;
+  path.go(overlap, {0, 0, 0}, 1);
+  path.go(overlap, {0.9 * limit / stiffness, 0, 0}, 10);
+  CHECK(-path.memory.x == Approx(0.9 * limit).epsilon(1e-12));
+  CHECK(std::abs(path.lost) < 1e-12 * path.work);
+  path.go(overlap, {0.2 * limit / stiffness, 0, 0}, 10);
+  CHECK(-path.memory.x == Approx(limit).epsilon(1e-14));
+  path.go(overlap, {0, 3 * limit / stiffness, 0}, 100);
+  CHECK(norm(path.memory) == Approx(limit).epsilon(1e-14));
+
+  // With damping and sliding the whole tangential force is the limit.
+  ContactLaw<double> law = elastic_law();
+  law.damping = 0.7;
+  ContactMotion<double> c = resting(overlap);
+  c.velocity = {0.5, 0.2, 0.01};
+  const ContactLoad<double> load = hertz_mindlin(law, c, path.memory, overlap);
+  CHECK(norm(tangential(load.force, c.normal)) == Approx(0.5 * -load.force.z).epsilon(1e-14));
+}
+
+TEST_CASE("The memory follows the tangent plane at equal size", "[laws][contact]") {
+  ContactMotion<double> c = resting(1e-5);
+  const Vec3d before{0.01, 0, 0};
+  c.normal = {std::sin(0.1), 0, std::cos(0.1)};
+  const ContactLoad<double> load = hertz_mindlin(elastic_law(), c, before, c.overlap);
+  CHECK(norm(load.elastic) == Approx(0.01).epsilon(1e-14));
+  CHECK(std::abs(dot(load.elastic, c.normal)) < 1e-17);
+  CHECK(load.elastic.x == Approx(0.01 * std::cos(0.1)).epsilon(1e-13));
+}
+
+TEST_CASE("Load, shear, unload, shear back creates no energy", "[laws][contact]") {
+  // Without the softening while unloading this loop yields energy (Thornton & Randall 1988).
+  const double friction = GENERATE(0.3, 5.0);
+  const double back = GENERATE(-1.0, -0.5, -1.5);
+  const double depth = 1e-4, slip = 2e-6;
+  Path path;
+  path.law.friction = friction;
+  path.go(depth, {0, 0, 0}, 100);
+  path.go(depth, {slip, 0, 0}, 100);
+  path.go(depth / 4, {0, 0, 0}, 1000);
+  path.go(depth / 4, {back * slip, 0, 0}, 100);
+  CHECK(path.work == Approx(path.stored() + path.lost).epsilon(1e-9));
+  path.go(0, {0, 0, 0}, 1000);
+  CHECK(path.work > 0);
+  CHECK(path.work == Approx(path.stored() + path.lost).epsilon(1e-9));
+  CHECK(path.smallest_loss > -1e-12 * path.work);
+}
+
+TEST_CASE("Damping of any contact takes energy", "[laws][contact]") {
+  ContactLaw<double> law = elastic_law();
+  law.damping = 0.7;
+  for (std::uint64_t k = 0; k < 300; ++k) {
+    ContactMotion<double> c = resting(1e-5 * (1.2 + random_number(k, 0)));
+    c.velocity = 0.05 * random_vector(k, 1);
+    const Vec3d before = tangential((0.5 * hertz(c.overlap)) * random_vector(k, 4), c.normal);
+    const ContactLoad<double> load = hertz_mindlin(law, c, before, c.overlap * (1 + 0.1 * random_number(k, 7)));
+    CHECK(load.damped >= -1e-15);
+    CHECK(norm(tangential(load.force, c.normal)) <= 0.5 * -load.force.z * (1 + 1e-12));
+  }
+}
+
+TEST_CASE("Rolling resistance is mu_r R* Fn and cannot turn the spin round", "[laws][contact]") {
+  ContactLaw<double> law = elastic_law();
+  law.rolling = 0.05;
+  ContactMotion<double> c = resting(1e-5);
+  c.spin = {300, 400, 70};  // the part about the normal does not roll
+  const ContactLoad<double> fast = hertz_mindlin(law, c, {0, 0, 0}, c.overlap);
+  CHECK(norm(fast.couple) == Approx(0.05 * radius * hertz(1e-5)).epsilon(1e-12));
+  CHECK(dot(fast.couple, Vec3d{0.6, 0.8, 0}) == Approx(-norm(fast.couple)).epsilon(1e-12));
+  CHECK(fast.slipped == Approx(law.dt * norm(fast.couple) * 500).epsilon(1e-12));
+  c.spin = {1e-3, 0, 0};
+  const ContactLoad<double> slow = hertz_mindlin(law, c, {0, 0, 0}, c.overlap);
+  CHECK(c.spin.x + slow.couple.x * law.dt / c.inertia == Approx(0).margin(1e-18));
+}
+
+TEST_CASE("Restitution of a contact that cannot pull: published pairs", "[laws][contact]") {
+  const double pairs[][2] = {{0.05, 1.94535}, {0.10, 1.24319}, {0.20, 0.73125}, {0.25, 0.59734},
+                             {0.30, 0.49724}, {0.50, 0.25528}, {0.70, 0.12221}, {0.90, 0.03427}};
+  for (const auto& [e, zeta] : pairs) {
+    CHECK(damping_for_restitution(e) == Approx(zeta).margin(6e-6));
+    CHECK(restitution_of_damping(damping_for_restitution(e)) == Approx(e).epsilon(1e-12));
+  }
+  CHECK(damping_for_restitution(1) == 0);
+  CHECK(restitution_of_damping(1) == Approx(std::exp(-2.0)).epsilon(1e-12));
+  CHECK(restitution_of_damping(1 - 1e-6) == Approx(std::exp(-2.0)).epsilon(1e-5));
+  CHECK(restitution_of_damping(1 + 1e-6) == Approx(std::exp(-2.0)).epsilon(1e-5));
+}
