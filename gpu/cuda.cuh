@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/exec/lanes.hpp"
+#include "core/exec/phase_timer.hpp"
+#include "core/state/bonds.hpp"
+#include "gpu/sort_scan.hpp"
+
+#include <type_traits>
+#include <vector>
+
+namespace gyro {
+
+// The only __global__ functions of the project, but for those of CUB. Kernels are the structs of
+// core/kernels; they stay in constant memory (__grid_constant__), no thread copies them.
+
+inline constexpr int threads_per_block = 128;
+inline constexpr Index reduce_chunk = 1024;  // as on the CPU: sums are added in the same order
+inline constexpr Index reduce_tile = 32;
+
+template <class Kernel>
+__global__ void __launch_bounds__(threads_per_block) run_each(Index n, const __grid_constant__ Kernel kernel) {
+  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < n) kernel(i);
+}
+
+/// One thread block a rock, colour by colour: a particle's bonds are added in the order of the CPU.
+template <class Kernel>
+__global__ void __launch_bounds__(threads_per_block)
+    run_blocks(const Block* blocks, const Index* colour_begin, const __grid_constant__ Kernel kernel) {
+  const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
+              me = static_cast<Index>(threadIdx.x);
+  const Index end_particle = blocks[k].end_particle, end_colour = blocks[k].end_colour;
+  for (Index p = blocks[k].first_particle + me; p < end_particle; p += step) kernel.clear(p);
+  __syncthreads();
+  for (Index c = blocks[k].first_colour; c + 1 < end_colour; ++c) {
+    const Index end = colour_begin[c + 1];
+    for (Index b = colour_begin[c] + me; b < end; b += step) kernel(OneLane{b}, k);
+    __syncthreads();
+  }
+}
+
+/// Sum of each chunk, in order. The threads of a warp map together, one of them adds.
+template <class T, class Map>
+__global__ void __launch_bounds__(reduce_tile) sum_chunks(Index n, const __grid_constant__ Map map, T* part) {
+  __shared__ alignas(T) unsigned char bytes[reduce_tile * sizeof(T)];
+  T* tile = reinterpret_cast<T*>(bytes);
+  const Index me = static_cast<Index>(threadIdx.x), first = static_cast<Index>(blockIdx.x) * reduce_chunk;
+  const Index end = n - first < reduce_chunk ? n : first + reduce_chunk;
+  T sum{};
+  for (Index i = first; i < end; i += reduce_tile) {
+    if (i + me < end) tile[me] = map(i + me);
+    __syncthreads();
+    if (me == 0)
+      for (Index k = 0; k < reduce_tile && i + k < end; ++k) sum = sum + tile[k];
+    __syncthreads();
+  }
+  if (me == 0) part[blockIdx.x] = sum;
+}
+
+/// Element k becomes what was element source[k], zero where that is `none`.
+template <class T>
+struct Keep {
+  const T* from;
+  const Index* source;
+  T* to;  ///< zero at first
+  GYRO_HD void operator()(Index k) const {
+    if (source[k] != none) to[k] = from[source[k]];
+  }
+};
+
+/// The CUDA executor: the contract is in core/exec/cpu.hpp. Everything runs on one stream, in order.
+class Cuda {
+ public:
+  template <class T>
+  using Buffer = DeviceBuffer<T>;
+
+  /// @throws NoDevice when there is no device to use
+  Cuda() { take_device(); }
+
+  /// Host seconds by phase: of launching, unless GYRO_CUDA_SYNC=1 is set in the environment, which
+  /// waits for every kernel.
+  const PhaseTimer& timer() const { return timer_; }
+
+  template <class Kernel>
+  void for_each(const char* label, Index n, const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
+    if (n == 0) return;
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    launch_each(label, n, kernel);
+    finish(label, mark);
+  }
+
+  template <class Kernel>
+  void for_each_block(const char* label, const Block* blocks, Index n, const Index* colour_begin,
+                      const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
+    if (n == 0) return;
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    run_blocks<<<static_cast<unsigned>(n), threads_per_block>>>(blocks, colour_begin, kernel);
+    finish(label, mark);
+  }
+
+  template <class T, class Map>
+  T reduce(const char* label, Index n, const Map& map) {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_copyable_v<Map>, "they travel as bytes");
+    T total{};
+    if (n == 0) return total;
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    const Index chunks = (n + reduce_chunk - 1) / reduce_chunk;
+    Buffer<T> part;
+    part.resize(static_cast<std::size_t>(chunks));
+    sum_chunks<<<static_cast<unsigned>(chunks), reduce_tile>>>(n, map, part.data());
+    finish(label, mark);
+    for (const T& p : part.to_host()) total = total + p;
+    return total;
+  }
+
+  Index exclusive_scan(Index n, Index* counts) {
+    sort_scan_.exclusive_scan(n + 1, counts);
+    Index total = 0;
+    check_cuda(cudaMemcpy(&total, counts + n, sizeof total, cudaMemcpyDeviceToHost), "reading a total");
+    return total;
+  }
+  void sort_by_key(Buffer<std::uint64_t>& keys, Buffer<Index>& values) {
+    if (keys.size() > 0) sort_scan_.sort_by_key(keys, values);
+  }
+
+  template <class T>
+  static std::vector<T> host(const Buffer<T>& buffer) {
+    return buffer.to_host();
+  }
+  template <class T>
+  static void upload(Buffer<T>& buffer, const std::vector<T>& values) {
+    buffer.from_host(0, values);
+  }
+  template <class T>
+  static void append(Buffer<T>& buffer, const std::vector<T>& values) {
+    buffer.from_host(buffer.size(), values);
+  }
+  template <class T>
+  static void keep(Buffer<T>& buffer, const std::vector<Index>& source) {
+    Buffer<Index> places;
+    upload(places, source);
+    Buffer<T> kept;
+    kept.resize(source.size());
+    const auto n = static_cast<Index>(source.size());
+    if (n > 0) launch_each("keep", n, Keep<T>{buffer.data(), places.data(), kept.data()});
+    buffer.swap(kept);
+  }
+
+ private:
+  template <class Kernel>
+  static void launch_each(const char* label, Index n, const Kernel& kernel) {
+    const auto blocks = static_cast<unsigned>((n - 1) / threads_per_block + 1);
+    run_each<<<blocks, threads_per_block>>>(n, kernel);
+    check_cuda(cudaGetLastError(), label);
+  }
+
+  void finish(const char* label, const PhaseTimer::Mark& mark) {
+    check_cuda(cudaGetLastError(), label);
+    if (wait_for_all_) check_cuda(cudaDeviceSynchronize(), label);
+    timer_.end(mark);
+  }
+
+  bool wait_for_all_ = waits_for_all();
+  PhaseTimer timer_;
+  SortScan sort_scan_;
+};
+
+}  // namespace gyro
