@@ -5,6 +5,7 @@
 #include "core/fragments/labels.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 // Accounts and snapshots of the scene.
@@ -110,17 +111,30 @@ void DemSolver<Exec, Real>::drain_breakages(const Window& window) {
   Exec::upload(flags_, std::move(flags));
 }
 
+/// Places of the particles in order of id: the arrays are in order of arrival.
+template <class Exec, class Real>
+std::vector<Index> DemSolver<Exec, Real>::places_by_id() const {
+  const auto& id = Exec::host(particles_.id);
+  std::vector<Index> places(id.size());
+  std::iota(places.begin(), places.end(), 0);
+  std::sort(places.begin(), places.end(),
+            [&](Index a, Index b) { return id[static_cast<std::size_t>(a)] < id[static_cast<std::size_t>(b)]; });
+  return places;
+}
+
 template <class Exec, class Real>
 ParticleSnapshot DemSolver<Exec, Real>::particles() const {
   const auto& place = Exec::host(particles_.place);
   const auto& motion = Exec::host(particles_.motion);
   const auto& spin = Exec::host(particles_.spin);
   const auto& load = Exec::host(particles_.load);
+  const auto& id = Exec::host(particles_.id);
   const auto& block = Exec::host(particles_.block);
   const auto& blocks = Exec::host(blocks_);
   ParticleSnapshot s;
-  s.id = Exec::host(particles_.id);
-  for (std::size_t k = 0; k < s.id.size(); ++k) {
+  for (const Index row : places_by_id()) {
+    const auto k = static_cast<std::size_t>(row);
+    s.id.push_back(id[k]);
     s.rock.push_back(block[k] == none ? none : blocks[static_cast<std::size_t>(block[k])].rock);
     s.position.push_back(place[k].x);
     s.velocity.push_back(motion[k].v);
@@ -139,12 +153,15 @@ auto DemSolver<Exec, Real>::glued_bonds() const -> GluedBonds {
   const auto& i = Exec::host(bonds_.i);
   const auto& j = Exec::host(bonds_.j);
   const auto& state = Exec::host(bonds_.state);
+  const std::vector<Index> places = places_by_id();
+  std::vector<Index> row(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) row[static_cast<std::size_t>(places[k])] = static_cast<Index>(k);
   GluedBonds glued;
   for (std::size_t b = 0; b < i.size(); ++b) {
     if (state[b] != bond_glued) continue;
     glued.bond.push_back(b);
-    glued.i.push_back(i[b]);
-    glued.j.push_back(j[b]);
+    glued.i.push_back(row[static_cast<std::size_t>(i[b])]);
+    glued.j.push_back(row[static_cast<std::size_t>(j[b])]);
   }
   return glued;
 }

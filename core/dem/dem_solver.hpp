@@ -96,7 +96,7 @@ class DemSolver final : public Dem {
     Host<Index> new_index, old_index;
   };
 
-  /// Bonds that hold: their places and ends.
+  /// Bonds that hold: their places, and their ends as rows of a snapshot.
   struct GluedBonds {
     Host<std::size_t> bond;
     Host<Index> i, j;
@@ -121,6 +121,7 @@ class DemSolver final : public Dem {
   ContactSums contact_sums() const;
   BondSums bond_sums() const;
   void drain_breakages(const Window& window);
+  std::vector<Index> places_by_id() const;
   GluedBonds glued_bonds() const;
 
   ParticleView view() const;

@@ -33,7 +33,7 @@ struct ParticleSums {
     s.overspeed = larger(a.overspeed, b.overspeed);
     s.turn = larger(a.turn, b.turn);
     s.not_finite = a.not_finite + b.not_finite;
-    s.culprit = a.not_finite ? a.culprit : b.culprit;
+    s.culprit = !b.not_finite || (a.not_finite && a.culprit < b.culprit) ? a.culprit : b.culprit;
     return s;
   }
 };

@@ -113,7 +113,11 @@ struct WallForces {
     sum.moment[2] -= quanta(scale * moment.z);
     sum.work += quanta(scale * dot(on_particle, wall_velocity));
   }
-  GYRO_HD static std::int64_t quanta(double x) { return static_cast<std::int64_t>(::floor(x + 0.5)); }
+  /// What is not finite counts as nothing here: the guard finds the particle itself.
+  GYRO_HD static std::int64_t quanta(double x) {
+    return x > -most && x < most ? static_cast<std::int64_t>(::floor(x + 0.5)) : 0;
+  }
+  static constexpr double most = 9e18;
 };
 
 }  // namespace gyro
