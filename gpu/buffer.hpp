@@ -39,7 +39,8 @@ class DeviceBuffer {
   std::vector<T> to_host() const {
     std::vector<T> values(size_);
     if (size_ > 0)
-      check_cuda(cudaMemcpy(values.data(), data_, size_ * sizeof(T), cudaMemcpyDeviceToHost), "reading from the device");
+      check_cuda(cudaMemcpy(values.data(), data_, size_ * sizeof(T), cudaMemcpyDeviceToHost),
+                 "reading from the device");
     return values;
   }
   /// Replaces elements from `first` on and sets the size to their end.

@@ -12,21 +12,22 @@
 namespace gyro {
 
 // The only __global__ functions of the project, but for those of CUB. Kernels are the structs of
-// core/kernels; they stay in constant memory (__grid_constant__), no thread copies them.
+// core/kernels; they stay in constant memory (__grid_constant__), no thread copies them. The second
+// launch bound lets a thread have up to 255 registers: without it wall_forces spills 484 bytes.
 
 inline constexpr int threads_per_block = 128;
 inline constexpr Index reduce_chunk = 1024;  // as on the CPU: sums are added in the same order
 inline constexpr Index reduce_tile = 32;
 
 template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block) run_each(Index n, const __grid_constant__ Kernel kernel) {
+__global__ void __launch_bounds__(threads_per_block, 2) run_each(Index n, const __grid_constant__ Kernel kernel) {
   const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
   if (i < n) kernel(i);
 }
 
 /// One thread block a rock, colour by colour: a particle's bonds are added in the order of the CPU.
 template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block)
+__global__ void __launch_bounds__(threads_per_block, 2)
     run_blocks(const Block* blocks, const Index* colour_begin, const __grid_constant__ Kernel kernel) {
   const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
               me = static_cast<Index>(threadIdx.x);
@@ -42,7 +43,7 @@ __global__ void __launch_bounds__(threads_per_block)
 
 /// Sum of each chunk, in order. The threads of a warp map together, one of them adds.
 template <class T, class Map>
-__global__ void __launch_bounds__(reduce_tile) sum_chunks(Index n, const __grid_constant__ Map map, T* part) {
+__global__ void __launch_bounds__(reduce_tile, 8) sum_chunks(Index n, const __grid_constant__ Map map, T* part) {
   __shared__ alignas(T) unsigned char bytes[reduce_tile * sizeof(T)];
   T* tile = reinterpret_cast<T*>(bytes);
   const Index me = static_cast<Index>(threadIdx.x), first = static_cast<Index>(blockIdx.x) * reduce_chunk;

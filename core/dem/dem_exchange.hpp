@@ -156,8 +156,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::resize_rows() {
   const auto rows = static_cast<std::size_t>(particle_count()) + 1;
   const auto lengthen = [&](auto& row_begin, std::size_t end) {
-    if (row_begin.size() < rows)
-      Exec::append(row_begin, Host<Index>(rows - row_begin.size(), static_cast<Index>(end)));
+    if (row_begin.size() < rows) Exec::append(row_begin, Host<Index>(rows - row_begin.size(), static_cast<Index>(end)));
   };
   lengthen(pairs_.row_begin, pairs_.ends.size());
   lengthen(walls_.row_begin, walls_.entries.size());

@@ -22,12 +22,13 @@ inline Scene breaking_scene() {
   scene.bonds->shear_strength = 3e6;
   scene.largest_radius = 0.01;
   scene.walls.push_back({"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1});
-  scene.walls.push_back({"shell", ProfileShape{{{0.07, -0.01}, {0.07, 0.1}, {0.09, 0.2}}},
-                         RotationMotion{{0, 0, 1}, {0, 0, 0}, 20}, 1});
-  scene.walls.push_back({"wedge",
-                         MeshShape{{{-0.05, -0.06, 0}, {0.05, -0.06, 0}, {0.05, 0, 0.02}, {-0.05, 0, 0.02}, {0, 0.05, 0}},
-                                   {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}},
-                         LinearMotion{{0, 0, 0.5}}, 1});
+  scene.walls.push_back(
+      {"shell", ProfileShape{{{0.07, -0.01}, {0.07, 0.1}, {0.09, 0.2}}}, RotationMotion{{0, 0, 1}, {0, 0, 0}, 20}, 1});
+  scene.walls.push_back(
+      {"wedge",
+       MeshShape{{{-0.05, -0.06, 0}, {0.05, -0.06, 0}, {0.05, 0, 0.02}, {-0.05, 0, 0.02}, {0, 0.05, 0}},
+                 {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}},
+       LinearMotion{{0, 0, 0.5}}, 1});
   return scene;
 }
 
@@ -42,9 +43,13 @@ inline std::vector<NewRock> falling_rocks(RockId rock, ParticleId first, double 
     rocks.push_back(r);
   }
   for (int k = 0; k < 9; ++k)
-    rocks.push_back(sphere(first + 128 + static_cast<ParticleId>(k), {0.018 * (k % 3) - 0.02, 0.018 * (k / 3) - 0.02,
-                                                                        height + 0.05},
-                           {0.1 * k, 0, -12}, k % 3 == 0 ? 0.008 : k % 3 == 1 ? 0.004 : 0.002, 2600, {0, 5, 0}));
+    rocks.push_back(sphere(first + 128 + static_cast<ParticleId>(k),
+                           {0.055 * (k % 3) - 0.055, 0.018 * (k / 3) - 0.02, height + 0.05},
+                           {12.0 * (k % 3) - 12, 0, -12},
+                           k % 3 == 0   ? 0.008
+                           : k % 3 == 1 ? 0.004
+                                        : 0.002,
+                           2600, {0, 5, 0}));
   return rocks;
 }
 
@@ -73,15 +78,15 @@ inline Outcome break_rocks(Dem& dem) {
     }
   };
   dem.insert(falling_rocks(0, 0, 0.045));
-  go(12);
+  go(40);
   dem.insert(falling_rocks(2, 1000, 0.16));
-  go(6);
+  go(4);
   const ParticleSnapshot s = dem.particles();
   std::vector<ParticleId> leaving;
   for (std::size_t k = 0; k < s.size(); ++k)
     if (s.position[static_cast<std::size_t>(s.fragment[k])].z < 0.03) leaving.push_back(s.id[k]);
   dem.remove(leaving);
-  go(6);
+  go(4);
   out.particles = dem.particles();
   out.bonds = dem.bonds();
   out.breakages = dem.take_breakages();

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Without a device: the error that a user gets. With one: the bits of the CPU.
+#include "gpu/make_cuda_dem.hpp"
+#include "tests/gpu/same_bits.hpp"
+
+#include "core/base/errors.hpp"
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+bool device_is_there() {
+  return cuda_device_report().find("no device") == std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("Without a device the error says why and what to do", "[gpu]") {
+  if (device_is_there()) {
+    WARN("skipped: there is a device; " + cuda_device_report());
+    return;
+  }
+  std::string message;
+  try {
+    make_cuda_dem(plain_scene(1e-6), Loads::single);
+  } catch (const NoDevice& error) {
+    message = error.what();
+  }
+  INFO(message);
+  CHECK(message.find("looking for a device") != std::string::npos);
+  CHECK(message.find("--device cpu") != std::string::npos);
+}
+
+TEST_CASE("A device gives the bits of the CPU", "[gpu]") {
+  if (!device_is_there()) {
+    WARN("skipped: " + cuda_device_report());
+    return;
+  }
+  const Loads loads = GENERATE(Loads::single, Loads::double_);
+  const Outcome cpu = break_rocks(*make_cpu_dem(breaking_scene(), loads, 2));
+  require_busy(cpu);
+  check_same(cpu, break_rocks(*make_cuda_dem(breaking_scene(), loads)));
+}
