@@ -103,11 +103,13 @@ struct BondForces {
   }
 
   /// A failing bond keeps its normal spring while its ends are pressed together; what else it stored
-  /// is released.
+  /// is released. So is the work of half a step more: the loads of this step are still those of the
+  /// glued bond, and Verlet's next half kick spends them.
   template <class Lanes, class R, class Mask>
   GYRO_HD void note_failures(const Lanes& lanes, Index block, const BondLanes<Real, Lanes>& bond,
                              const BondLoad<R>& load, const Mask& broken, const BondLaw<R>& constants) const {
     const auto after = unglued_load(constants, bond.section, bond.strain_r, bond.rates);
+    const R power = bond_power(load, bond.rates), power_after = bond_power(after.load, bond.rates);
     for (int lane = 0; lane < Lanes::count; ++lane) {
       if (!lanes.test(broken, lane)) continue;
       const Index n = lanes.index(lane);
@@ -115,8 +117,11 @@ struct BondForces {
       const bool apart = separated(n, lanes.value(bond.strain.length, lane));
       const double kept = apart ? 0 : static_cast<double>(lanes.value(after.load.elastic, lane));
       const double stored = static_cast<double>(lanes.value(load.elastic, lane));
+      const double lost_power = static_cast<double>(lanes.value(power, lane)) -
+                                (apart ? 0 : static_cast<double>(lanes.value(power_after, lane)));
+      const double released = stored - kept - 0.5 * static_cast<double>(law.dt) * lost_power;
       b.state[n] = apart ? bond_gone : bond_unglued;
-      log.events[take_number(log.count)] = {step, n, tension >= shear ? 1 : 2, stored - kept};
+      log.events[take_number(log.count)] = {step, n, tension >= shear ? 1 : 2, released};
       if (log.blocks[block].state == block_intact) {
         log.blocks[block].state = block_broken;
         raise_flag(log.relist);

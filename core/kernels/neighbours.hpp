@@ -53,8 +53,8 @@ struct FindPairs {
     if (norm2(partner.x - place.x) >= reach * reach) return;
     Index bond = none;
     if (blocks != nullptr && p.block[n] == p.block[other] && p.block[n] != none) {
-      if (blocks[p.block[n]].state == block_intact) return;
       bond = bond_between(n, other);
+      if (bond != none && blocks[p.block[n]].state == block_intact) return;  // it cannot come apart yet
     }
     if (pairs != nullptr) {
       const bool lower = p.id[n] < p.id[other];

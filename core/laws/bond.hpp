@@ -133,6 +133,12 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
   return out;
 }
 
+/// Power of a bond's loads on its two ends [W].
+template <class T>
+GYRO_HD T bond_power(const BondLoad<T>& load, const BondRates<T>& rates) {
+  return dot(load.force, rates.velocity) + dot(load.moment_i, rates.spin_i) + dot(load.moment_j, rates.spin_j);
+}
+
 /// Loads of an unglued bond, and how much of its shear survived the friction limit.
 template <class T>
 struct UngluedLoad {
@@ -154,7 +160,8 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
   const T area = T(bond_detail::pi) * b.radius * b.radius;
   const Vec3<T> span = s.length * s.normal;
 
-  const T slide_n = dot(bond_detail::slide_velocity(rates, b.arm, span), s.normal);
+  const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, span);
+  const T slide_n = dot(slide, s.normal);
   const T c_n = (law.damping + law.damping) * sqrt(kn * area) * b.sqrt_mass;
   const T spring = positive(-(kn * area * s.stretch));
   const T push = select(s.stretch < T(0), positive(spring - c_n * slide_n), T(0));
@@ -169,11 +176,15 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
   bond_detail::set_moments(out.load, b.arm, span, T(0) * s.normal);
   out.load.tension_ratio = out.load.shear_ratio = T(0);
 
-  const T shear_energy = T(0.5) * area * ks * b.length * b.length * gamma2;
-  const T kept_energy = out.keep * out.keep * shear_energy;
-  out.load.elastic = T(0.5) * spring * magnitude(s.stretch) + kept_energy;
+  const T kept = out.keep * stiff;
+  out.load.elastic = T(0.5) * spring * magnitude(s.stretch) + kept * kept * gamma2 / (T(2) * area * ks);
   out.load.damped = select(s.stretch < T(0), law.dt * (spring - push) * slide_n, T(0));
-  out.slip_work = shear_energy - kept_energy;
+
+  // Friction loses what goes into the shear spring less what it stores more.
+  const Vec3<T> slide_s = slide - slide_n * s.normal;
+  const Vec3<T> after = kept * s.shear, before = stiff * s.shear + (area * ks * law.dt) * slide_s;
+  const T lost = T(-0.5) * law.dt * dot(before + after, slide_s) + (norm2(before) - norm2(after)) / (T(2) * area * ks);
+  out.slip_work = select(out.keep < T(1), lost, T(0));
   return out;
 }
 
