@@ -60,11 +60,44 @@ TEST_CASE("Slip of an unglued bond turns stored energy into heat, no more and no
   for (std::uint64_t k = 0; k < 50; ++k) {
     const BondStrain<double> strain = strain_of(pressed(k));
     const UngluedLoad<double> u = unglued_load(paper_law(), paper_section(), strain, at_rest());
+    const Vec3d glued = bond_load(paper_law(), paper_section(), strain, at_rest()).force;
     const double before = 0.5 * normal_rate * strain.stretch * strain.stretch +
-                          0.5 * shear_rate * bond_length * bond_length * norm2(strain.shear);
+                          0.5 * norm2(tangential(glued, strain.normal)) / shear_rate;
     CHECK(u.load.elastic + u.slip_work == Approx(before).epsilon(1e-6));
     CHECK(u.slip_work >= 0);
   }
+}
+
+TEST_CASE("Sliding heats by friction times way, whatever the step", "[laws][bond]") {
+  // Pressed by 10 um and drawn sideways by 30 um, then pulled off: the work of the shear force closes.
+  const int steps = GENERATE(100, 1000);
+  BondLaw<double> law = paper_law();
+  const double press = 1e-5, way = 3e-5;
+  const double speed = 1, dt = way / steps / speed, push = normal_rate * press;
+  law.dt = dt;
+  BondShape<double> shape = paper_shape();
+  double work = 0, slipped = 0;
+  Vec3d before{0, 0, 0};
+  for (int k = 1; k <= steps; ++k) {
+    const BondEnds<double> ends{{bond_length - press, way * k / steps, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
+    const BondStrain<double> strain = bond_strain(shape, ends);
+    const UngluedLoad<double> u = unglued_load(law, paper_section(), strain, {{0, speed, 0}, {0, 0, 0}, {0, 0, 0}});
+    const Vec3d shear = tangential(u.load.force, strain.normal);
+    work -= 0.5 * dt * speed * (before.y + shear.y);
+    slipped += u.slip_work;
+    if (u.keep < 1) shape.axis = slipped_axis(shape, ends, strain, u.keep);
+    before = shear;
+    if (k == steps)
+      CHECK(work ==
+            Approx(slipped + u.load.elastic - 0.5 * normal_rate * strain.stretch * strain.stretch).epsilon(2e-3));
+  }
+  const double stick = 0.5 * push / shear_rate;  // way before slip
+  CHECK(slipped == Approx(0.5 * push * (way - stick)).epsilon(0.01));
+
+  const BondEnds<double> apart{{bond_length + 1e-9, way, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
+  const UngluedLoad<double> off = unglued_load(law, paper_section(), bond_strain(shape, apart), at_rest());
+  CHECK(off.slip_work == Approx(0.5 * 0.5 * push * stick).epsilon(0.01));
+  CHECK(off.load.elastic == 0);
 }
 
 TEST_CASE("The slipped axis shows the shear that friction left", "[laws][bond]") {
