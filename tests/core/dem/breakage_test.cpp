@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Failure of bonds in the engine: energy, forces, and what the pair is afterwards.
+#include "tests/catch.hpp"
+#include "tests/core/dem/scenes.hpp"
+
+#include <iterator>
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+constexpr double d = 0.025, bond_radius = 0.005;
+
+/// Two bonded spheres along x.
+NewRock pair_of(double length, Vec3d v_i, Vec3d v_j, double strength = 1) {
+  NewRock rock;
+  rock.id = 0;
+  rock.particles = {{0, {0, 0, 0}, v_i, {0, 0, 0}, d / 2, 2600}, {1, {length, 0, 0}, v_j, {0, 0, 0}, d / 2, 2600}};
+  rock.bonds = {{0, 1, length, bond_radius, strength}};
+  rock.colour_begin = {0, 1};
+  return rock;
+}
+
+Scene bond_scene(double dt) {
+  Scene scene = plain_scene(dt);
+  scene.bonds = paper_bonds();
+  scene.pairs.assign(4, {0.5, 1, 0});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("A bond torn apart releases what it stored", "[dem][bond]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const double v = 2, dt = 2e-8, strength = GENERATE(0.5, 1.0);
+  Scene scene = bond_scene(dt);
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  const std::vector<NewRock> rocks{pair_of(d, {-v, 0, 0}, {v, 0, 0}, strength)};
+  dem->insert(rocks);
+  const double kinetic = dem->energy().kinetic;
+  std::int64_t step = 0;
+  run(*dem, dt, step, 2000);
+  const std::vector<Breakage> broken = dem->take_breakages();
+  REQUIRE(broken.size() == 1);
+  CHECK(broken[0].mode == BreakMode::tension);
+  CHECK(broken[0].i == 0);
+  CHECK(broken[0].j == 1);
+  CHECK(broken[0].rock == 0);
+  // 1/2 F u at F = 2827.433 N, u = 21.5569 um, times the square of the strength; the step overshoots.
+  const double exact = 0.5 * 2827.433 * 21.5569e-6 * strength * strength;
+  CHECK(broken[0].energy >= exact * 0.99999);
+  CHECK(broken[0].energy < exact * (1 + 2 * 2 * v * dt / (21.5569e-6 * strength)));
+  const EnergyTerms e = dem->energy();
+  CHECK(e.bond_breakage == broken[0].energy);
+  CHECK(e.bond_elastic == 0);
+  CHECK(kinetic - e.kinetic == Approx(exact).epsilon(0.02));
+  CHECK(std::abs(e.residual()) < 0.01 * exact);
+  CHECK(dem->counts().bonds_intact == 0);
+  CHECK(dem->counts().broken_tension == 1);
+  CHECK(dem->take_breakages().empty());
+  CHECK(dem->particles().fragment == std::vector<Index>{0, 1});
+}
+
+TEST_CASE("Shear failure in compression leaves the normal force as it is", "[dem][bond]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const double dt = 2e-8;
+  Scene scene = bond_scene(dt);
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  const std::vector<NewRock> rocks{pair_of(d, {0.5, -2, 0}, {-0.5, 2, 0}, 0.5)};
+  dem->insert(rocks);
+  std::int64_t step = 0;
+  double before = 0, change_before = 0, jump = -1;
+  while (dem->counts().bonds_intact == 1 && step < 2000) {
+    run(*dem, dt, step, 1);
+    const ParticleSnapshot s = dem->particles();
+    const Vec3d span = s.position[1] - s.position[0];
+    const double push = dot(s.force[1], span) / norm(span);
+    change_before = push - before;
+    before = push;
+  }
+  const std::vector<Breakage> broken = dem->take_breakages();
+  REQUIRE(broken.size() == 1);
+  CHECK(broken[0].mode == BreakMode::shear);
+  REQUIRE(before > 100);
+  run(*dem, dt, step, 1);
+  const ParticleSnapshot s = dem->particles();
+  const Vec3d span = s.position[1] - s.position[0], n = (1 / norm(span)) * span;
+  jump = dot(s.force[1], n) - before;
+  CHECK(std::abs(jump) < 2 * std::abs(change_before));
+  CHECK(norm(tangential(s.force[1], n)) <= 0.5 * dot(s.force[1], n) * (1 + 1e-5));
+  const double work = 4 * 0.5 * s.mass[0];  // of the order of the energies at play
+  CHECK(std::abs(dem->energy().residual()) < 0.01 * work);
+}
+
+TEST_CASE("A pair that came apart touches as spheres do, before lists are rebuilt", "[dem][bond][contact]") {
+  // Sheared apart while pressed, or torn; the right one rebounds from a wall and hits the left one.
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const bool torn = GENERATE(true, false);
+  const double dt = 2e-7;
+  Scene scene = bond_scene(dt);
+  scene.pairs.assign(4, {0, 1, 0});
+  scene.bonds->tensile_strength = torn ? 1e3 : 1e12;
+  scene.bonds->shear_strength = torn ? 1e12 : 1e3;
+  scene.neighbour_margin = 0.1;
+  scene.walls = {{"right", PlaneShape{{1.5 * d + 1e-4, 0, 0}, {-1, 0, 0}}, Fixed{}, 1}};
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  const Vec3d v_j = torn ? Vec3d{2, 0, 0} : Vec3d{-2, 1e-3, 0};
+  const std::vector<NewRock> rocks{pair_of(d, {0, 0, 0}, v_j)};
+  dem->insert(rocks);
+  std::int64_t step = 0;
+  run(*dem, dt, step, 10);
+  REQUIRE(dem->counts().bonds_intact == 0);
+  const double kinetic = dem->energy().kinetic;
+  const std::int64_t rebuilds = dem->counts().rebuilds;
+  double nearest = 1, apart = 0;
+  for (int k = 0; k < 300; ++k) {
+    run(*dem, dt, step, 20);
+    const ParticleSnapshot s = dem->particles();
+    const double distance = norm(s.position[1] - s.position[0]);
+    apart = std::max(apart, distance);
+    if (apart > d * (1 + 1e-6)) nearest = std::min(nearest, distance);
+  }
+  CHECK(dem->counts().rebuilds == rebuilds);
+  const ParticleSnapshot s = dem->particles();
+  if (torn) {
+    // An elastic central impact hands the velocity over, at Hertz's depth for two equal spheres.
+    const Material& m = scene.materials[0];
+    const double plane = m.shear_modulus * (1 + m.poisson_ratio) / (1 - m.poisson_ratio * m.poisson_ratio);
+    const double depth = std::pow(15 * s.mass[0] / 2 * 4 / (16 * plane * std::sqrt(d / 4)), 0.4);
+    CHECK(d - nearest == Approx(depth).epsilon(0.02));
+    CHECK(s.velocity[0].x == Approx(-2).epsilon(0.01));
+    CHECK(std::abs(s.velocity[1].x) < 0.02);
+  }
+  CHECK(dem->energy().kinetic == Approx(kinetic).epsilon(torn ? 1e-3 : 1.0));
+  CHECK(std::abs(dem->energy().residual()) < 1e-3 * 0.5 * s.mass[0] * 4);
+}
+
+TEST_CASE("Breaking every bond at once without load sets nothing in motion", "[dem][bond]") {
+  // Packed with overlap, touching, or with gaps: full contact forces at 10 % overlap of the radius
+  // would throw the spheres apart at metres per second.
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const double spacing = GENERATE(0.95, 1.0, 1.02);
+  const double dt = 5e-7, speed = 1e-5;
+  Scene scene = bond_scene(dt);
+  scene.pairs.assign(4, {0.5, 0.25, 0});
+  NewRock rock = lattice_rock(0, 3, d, d / 4, 2600);
+  for (NewParticle& p : rock.particles) {
+    p.position = spacing * p.position;
+    p.velocity = speed * random_vector(p.id, 0);
+  }
+  for (NewBond& b : rock.bonds) {
+    b.length = spacing * d;
+    b.strength = 1e-8;
+  }
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  const std::vector<NewRock> rocks{rock};
+  dem->insert(rocks);
+  const double kinetic = dem->energy().kinetic;
+  std::int64_t step = 0;
+  run(*dem, dt, step, 4000);
+  CHECK(dem->counts().bonds_intact == 0);
+  CHECK(dem->take_breakages().size() == rock.bonds.size());
+  const EnergyTerms e = dem->energy();
+  CHECK(e.kinetic < 1.02 * kinetic);
+  CHECK(e.bond_elastic < 0.02 * kinetic);
+  CHECK(std::abs(e.residual()) < 0.05 * kinetic);
+}
+
+TEST_CASE("A hot spin breaks no bond that its centrifugal stress does not", "[dem][bond]") {
+  const double dt = 2e-6, spin = 100;
+  Scene scene = bond_scene(dt);
+  const auto dem = make_cpu_dem(scene, Loads::single, 1);
+  std::vector<NewRock> rocks{lattice_rock(0, 4, d, d / 4, 2600)};
+  scene.bonds->damping = 0.2;
+  set_rigid_motion(rocks[0], {0, 0, 0}, {0, 0, spin});
+  dem->insert(rocks);
+  std::int64_t step = 0;
+  run(*dem, dt, step, 30000);  // about one turn
+  const BondSnapshot s = dem->bonds();
+  REQUIRE(s.size() == 144);
+  // Outer layers at 1.5 d: each pulls m w2 1.5 d on its bond, so the middle bond carries m w2 (1.5 + 0.5) d.
+  // Undamped, it swings to twice that at the start.
+  const double mass = sphere_mass(d / 2, 2600), pull = mass * spin * spin * 2 * d;
+  const double static_ratio = pull / (M_PI * std::pow(d / 4, 2)) / 36e6;
+  for (std::size_t b = 0; b < s.size(); ++b) CHECK(s.stress_ratio[b] < 2.5 * static_ratio + 1e-5);
+}
