@@ -3,6 +3,8 @@
 
 #include "core/exec/lanes.hpp"
 #include "core/exec/phase_timer.hpp"
+#include "core/kernels/bond_forces.hpp"
+#include "core/kernels/wall_forces.hpp"
 #include "core/state/bonds.hpp"
 #include "gpu/sort_scan.hpp"
 
@@ -12,22 +14,32 @@
 namespace gyro {
 
 // The only __global__ functions of the project, but for those of CUB. Kernels are the structs of
-// core/kernels; they stay in constant memory (__grid_constant__), no thread copies them. The second
-// launch bound lets a thread have up to 255 registers: without it wall_forces spills 484 bytes.
+// core/kernels; they stay in constant memory (__grid_constant__), no thread copies them.
 
 inline constexpr int threads_per_block = 128;
+
+/// Thread blocks that must fit on a multiprocessor at once: 4 lets a thread have 128 registers, which
+/// most kernels do with; with it these would spill (scripts/kernel_report.py).
+template <class Kernel>
+inline constexpr int blocks_at_once = 4;
+template <>
+inline constexpr int blocks_at_once<BondForces<double>> = 3;
+template <class Real>
+inline constexpr int blocks_at_once<WallForces<Real>> = 2;
+
 inline constexpr Index reduce_chunk = 1024;  // as on the CPU: sums are added in the same order
 inline constexpr Index reduce_tile = 32;
 
 template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block, 2) run_each(Index n, const __grid_constant__ Kernel kernel) {
+__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>)
+    run_each(Index n, const __grid_constant__ Kernel kernel) {
   const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
   if (i < n) kernel(i);
 }
 
 /// One thread block a rock, colour by colour: a particle's bonds are added in the order of the CPU.
 template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block, 2)
+__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>)
     run_blocks(const Block* blocks, const Index* colour_begin, const __grid_constant__ Kernel kernel) {
   const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
               me = static_cast<Index>(threadIdx.x);

@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Prints what every CUDA kernel takes of a processor: registers, stack frame and spilled bytes.
+
+Needs nvcc, no GPU. Fails (exit 1) when a kernel is above its limit. Stack and spills of a kernel are
+0 unless LIMITS names it with a reason; registers must let two blocks of 128 threads run.
+
+Usage: kernel_report.py [--arch 80,90] [--nvcc PATH] [--all]
+  --all also lists what only copies or clears memory
+"""
+import argparse
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+FLAGS = ["-std=c++20", "-O3", "-DNDEBUG", "--fmad=false", "-Xcompiler=-ffp-contract=off"]
+
+# Largest stack frame and spilled bytes of kernels that may have any. Points of a wall are compared
+# with each other, in arrays of up to six points whose places are computed: those lie on the stack.
+LIMITS = {"WallForces": (1536, 0), "SumWallContacts": (1024, 0)}
+MOST_REGISTERS = 255
+PLAIN = re.compile(r"Keep<|ClearWallSums|NotePlaces|CellBegins")
+
+ENTRY = re.compile(
+    r"Compiling entry function '(?P<name>\S+)'.*?(?P<stack>\d+) bytes stack frame, (?P<stores>\d+) bytes spill stores, "
+    r"(?P<loads>\d+) bytes spill loads.*?Used (?P<registers>\d+) registers", re.DOTALL)
+
+
+def compiled(nvcc, arch):
+    """What ptxas says of the kernels of gpu/dem_cuda.cu: (name, registers, stack, stores, loads)."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [nvcc, *FLAGS, f"-I{ROOT}", f"-gencode=arch=compute_{arch},code=sm_{arch}", "-Xptxas=-v", "-cubin",
+                   str(ROOT / "gpu/dem_cuda.cu"), "-o", f"{folder}/dem_cuda.cubin"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    rows = [match.group("name", "registers", "stack", "stores", "loads") for match in ENTRY.finditer(done.stderr)]
+    names = subprocess.run(["c++filt"], input="\n".join(row[0] for row in rows), capture_output=True, text=True,
+                           check=True).stdout.splitlines()
+    return sorted((short(name), *map(int, row[1:])) for name, row in zip(names, rows))
+
+
+def short(name):
+    """void gyro::run_each<gyro::Move>(int, gyro::Move) -> run_each Move"""
+    inside = re.match(r"void (\w+)<(.*)>\(", name.replace("gyro::", ""))
+    return f"{inside[1]} {inside[2].replace(' >', '>')}" if inside else name
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--arch", default="80,90")
+    arguments.add_argument("--nvcc", default="nvcc")
+    arguments.add_argument("--all", action="store_true")
+    options = arguments.parse_args()
+    archs = options.arch.split(",")
+    with ThreadPoolExecutor(2) as pool:
+        reports = list(pool.map(lambda arch: compiled(options.nvcc, arch), archs))
+    failed = 0
+    for arch, rows in zip(archs, reports):
+        print(f"sm_{arch}: {len(rows)} kernels\n  registers  stack  spilled  kernel")
+        failed += not rows
+        for name, registers, stack, stores, loads in rows:
+            allowed = next((limit for key, limit in LIMITS.items() if key in name), (0, 0))
+            above = registers > MOST_REGISTERS or stack > allowed[0] or max(stores, loads) > allowed[1]
+            failed += above
+            if above or options.all or not PLAIN.search(name):
+                print(f"  {registers:9d}  {stack:5d}  {stores:7d}  {name}{'  ABOVE ITS LIMIT' if above else ''}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
