@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/assembly.hpp"
 
+#include "app/bad_key.hpp"
 #include "app/start_state.hpp"
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
@@ -53,7 +54,7 @@ LibraryRecipe recipe_of(const Case& input, const Scene& scene) {
   recipe.sizes = rocks.sizes;
   recipe.samples = rocks.samples;
   if (!rocks.fill_ratio)
-    throw BadInput("rocks.fill.sizes is not available in this version; rocks.fill.ratio is accepted");
+    throw BadKey("rocks.fill.sizes", "rocks.fill.sizes is not available in this version; rocks.fill.ratio is accepted");
   recipe.fill_ratio = *rocks.fill_ratio;
   recipe.rock_density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
   recipe.compensated = rocks.density_compensated;
@@ -116,6 +117,10 @@ BondStrength bond_strength(const Case& input) {
   };
 }
 
+Liners liners_of(const CaseCrusher& crusher) {
+  return make_liners(crusher.liners, {crusher.closed_side_setting, crusher.eccentricity, crusher.pivot_height});
+}
+
 Assembly assemble(const Case& input) {
   Assembly out;
   Scene& scene = out.scene;
@@ -127,18 +132,18 @@ Assembly assemble(const Case& input) {
   if (input.crusher) {
     const CaseCrusher& c = *input.crusher;
     out.pivot_height = c.pivot_height;
-    if (!c.liners.empty()) out.liners = make_liners(c.liners, {c.closed_side_setting, c.eccentricity, c.pivot_height});
+    if (!c.liners.empty()) out.liners = blaming("crusher", [&] { return liners_of(c); });
   }
-  for (const CaseWall& wall : input.walls) add_wall(out, wall);
+  for (const CaseWall& wall : input.walls) blaming("walls." + wall.name, [&] { add_wall(out, wall); });
   if (input.rocks) {
-    out.library = make_library(recipe_of(input, scene), default_cache_folder());
+    out.library = blaming("rocks", [&] { return make_library(recipe_of(input, scene), default_cache_folder()); });
     out.removal_depth = 2 * largest_rock(out.library);
   }
   if (input.crusher && input.crusher->removal_depth) out.removal_depth = *input.crusher->removal_depth;
-  out.start = start_state(input);
+  out.start = blaming("particles", [&] { return start_state(input); });
   out.step = choose_step(input, scene, out.library, out.start);
   scene.dt = out.step.dt;
-  if (input.feed) out.feed = feed_plan(input, out);
+  if (input.feed) out.feed = blaming("feed", [&] { return feed_plan(input, out); });
   return out;
 }
 

@@ -37,8 +37,11 @@ struct Assembly {
 };
 
 /// Makes scene, library, liners, feed plan and time step of a case.
-/// @throws BadInput for files that cannot be used, a library that cannot be made, a step above its limit
+/// @throws BadKey for files that cannot be used, a library that cannot be made, a step above its limit
 Assembly assemble(const Case& input);
+
+/// Liners of a crusher with a profile. @throws BadInput for settings that the profile cannot have
+Liners liners_of(const CaseCrusher& crusher);
 
 /// Strength of the bonds of a case.
 BondStrength bond_strength(const Case& input);

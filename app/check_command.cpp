@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -41,21 +42,27 @@ MeanRock mean_rock(const RockLibrary& library, double density) {
   return mean;
 }
 
-/// Wall seconds per window of the scene as it stands at t = 0, by running a few.
-double seconds_per_window(const Case& input, const Assembly& assembly) {
-  const Device device = choose_device("cpu", 0);
+/// Wall seconds per step of the scene as it stands at t = 0, by running some windows of it. Their median:
+/// the first steps build neighbour lists, and others may use the machine.
+double seconds_per_step(const Case& input, const Assembly& assembly, std::int64_t particles) {
+  constexpr double enough_work = 1e6;  // particle steps in a trial window, some tenths of a second
+  constexpr double enough_time = 1.5;  // [s]
+  Assembly trial = assembly;
+  const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(particles, 1));
+  trial.step.per_window = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(trial.step.per_window)));
   const Loads loads = input.numerics.precision == Precision::mixed ? Loads::single : Loads::double_;
-  Simulation trial(input, assembly, make_dem(device, assembly.scene, loads));
+  Simulation simulation(input, trial, make_dem(choose_device("cpu", 0), trial.scene, loads));
   using Clock = std::chrono::steady_clock;
+  std::vector<double> seconds;
   const auto start = Clock::now();
-  int windows = 0;
-  double seconds = 0;
   do {
-    trial.advance();
-    ++windows;
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  } while (seconds < 1.5 && windows < 4);
-  return seconds / windows;
+    const auto begin = Clock::now();
+    simulation.advance();
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+  } while (seconds.size() < 3 ||
+           (seconds.size() < 100 && Clock::now() - start < std::chrono::duration<double>(enough_time)));
+  std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
+  return seconds[seconds.size() / 2] / trial.step.per_window;
 }
 
 Estimate estimate(const Case& input, const Assembly& assembly) {
@@ -84,17 +91,28 @@ Estimate estimate(const Case& input, const Assembly& assembly) {
   }
   e.particles_at_end = e.particles + std::llround(fed_later);
   e.bytes = 700.0 * static_cast<double>(e.particles_at_end) + 70.0 * static_cast<double>(e.bonds);
-  const double windows = static_cast<double>(e.steps) / e.step.per_window;
   const double growth =
       e.particles > 0 ? 0.5 * (1 + static_cast<double>(e.particles_at_end) / static_cast<double>(e.particles)) : 1;
-  e.seconds = windows * growth * seconds_per_window(input, assembly);
+  e.seconds = static_cast<double>(e.steps) * growth * seconds_per_step(input, assembly, e.particles);
   return e;
+}
+
+void add_figures(nlohmann::json& out, const Estimate& e) {
+  out["time_step"] = e.step.dt;
+  out["time_step_limit"] = e.step.limit;  // null where nothing limits it
+  out["limited_by"] = e.step.limited_by;
+  out["particles"] = e.particles;
+  out["bonds"] = e.bonds;
+  out["steps"] = e.steps;
+  out["bytes"] = e.bytes;
+  out["estimated_seconds"] = e.seconds;
 }
 
 void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   std::cout << input.resolved << "\n";
-  std::printf("step           %.4g us, limit %.4g us (%s)\n", e.step.dt * 1e6, e.step.limit * 1e6,
-              e.step.limited_by.c_str());
+  std::printf("step           %.4g us", e.step.dt * 1e6);
+  if (std::isfinite(e.step.limit)) std::printf(", limit %.4g us (%s)", e.step.limit * 1e6, e.step.limited_by.c_str());
+  std::printf("\n");
   std::printf("steps          %lld, %d a coupling interval\n", static_cast<long long>(e.steps), e.step.per_window);
   std::printf("particles      %s at the start, %s fed by the end at most\n", format_count(double(e.particles)).c_str(),
               format_count(double(e.particles_at_end)).c_str());
@@ -112,32 +130,31 @@ int check_command(const CaseArguments& arguments) {
   nlohmann::json out{{"valid", false}, {"problems", nlohmann::json::array()}};
   CaseReport report = load_case(arguments.file, arguments.set);
   std::optional<Assembly> assembly;
+  std::optional<Estimate> found;
+  const auto blame = [&](const std::string& key, const std::string& problem) {
+    report.problems.push_back(problem_at(arguments.file, arguments.set, key, problem));
+  };
   if (report.loaded) {
     try {
       assembly.emplace(assemble(*report.loaded));
-    } catch (const BadInput& problem) {
-      report.problems.push_back({arguments.file.string(), 1, 1, problem.what()});
+      found.emplace(estimate(*report.loaded, *assembly));
+    } catch (const BadKey& bad) {
+      blame(bad.key, bad.what());
+    } catch (const StoppedByGuard& stop) {
+      blame("", std::string("a run of this case stops at once: ") + stop.what());
     }
   }
   for (const CaseProblem& p : report.problems) {
     out["problems"].push_back({{"line", p.line}, {"column", p.column}, {"message", p.message}});
     std::cerr << to_string(p) << "\n";
   }
-  if (assembly) {
-    const Estimate e = estimate(*report.loaded, *assembly);
+  if (found) {
     out["valid"] = true;
-    out["time_step"] = e.step.dt;
-    out["time_step_limit"] = e.step.limit;
-    out["limited_by"] = e.step.limited_by;
-    out["particles"] = e.particles;
-    out["bonds"] = e.bonds;
-    out["steps"] = e.steps;
-    out["bytes"] = e.bytes;
-    out["estimated_seconds"] = e.seconds;
-    if (!arguments.json) print(*report.loaded, *assembly, e);
+    add_figures(out, *found);
+    if (!arguments.json) print(*report.loaded, *assembly, *found);
   }
   if (arguments.json) std::cout << out.dump(2) << "\n";
-  return assembly ? exit_done : exit_bad_input;
+  return found ? exit_done : exit_bad_input;
 }
 
 }  // namespace gyro

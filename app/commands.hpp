@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/bad_key.hpp"
 #include "io/case.hpp"
 
 #include <filesystem>
@@ -46,6 +47,16 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int init_command(const std::string& name);
 int info_command(bool json);
+
+/// Does `work` on a case; blames the place in the file for a key that turns out bad. @throws BadInput
+template <class Work>
+auto located(const CaseArguments& arguments, Work&& work) {
+  try {
+    return work();
+  } catch (const BadKey& bad) {
+    throw BadInput(to_string(problem_at(arguments.file, arguments.set, bad.key, bad.what())));
+  }
+}
 
 /// Loads a case; prints every problem to standard error, one a line, and returns nothing if there is one.
 std::optional<Case> load_or_complain(const CaseArguments& arguments);

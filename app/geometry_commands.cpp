@@ -26,12 +26,14 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   const std::optional<Case> input = load_or_complain(arguments);
   if (!input) return exit_bad_input;
   if (!input->crusher || input->crusher->liners.empty())
-    throw BadInput(arguments.file.string() + ": the case has no crusher.profile; liners are made from a profile");
+    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "crusher",
+                                        "the case has no crusher.profile; liners are made from a profile")));
   const CaseCrusher& c = *input->crusher;
-  const Liners liners = make_liners(c.liners, {c.closed_side_setting, c.eccentricity, c.pivot_height});
+  const Liners liners = located(arguments, [&] { return blaming("crusher", [&] { return liners_of(c); }); });
   const LinerReport report = measure(liners, eccentric_speed(*input), norm(input->gravity));
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
+  if (failed) throw OutputError(out.string() + ": cannot make the directory: " + failed.message());
   for (const auto& [name, shape] : {std::pair{"concave", &liners.concave}, std::pair{"mantle", &liners.mantle}}) {
     const MeshShape mesh = revolve(*shape, 360);
     write_stl((out / (std::string(name) + ".stl")).string(), {mesh.vertices, mesh.triangles});
@@ -62,9 +64,11 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out) {
   const std::optional<Case> input = load_or_complain(arguments);
   if (!input) return exit_bad_input;
-  if (!input->rocks) throw BadInput(arguments.file.string() + ": the case has no `rocks`; a library is made from them");
+  if (!input->rocks)
+    throw BadInput(to_string(
+        problem_at(arguments.file, arguments.set, "rocks", "the case has no `rocks`; a library is made from them")));
   if (out) throw BadInput("library --out is not available in this version; the table is printed, with --json in full");
-  const Assembly assembly = assemble(*input);
+  const Assembly assembly = located(arguments, [&] { return assemble(*input); });
   nlohmann::json j{{"rocks", nlohmann::json::array()}, {"seconds", assembly.library.seconds}};
   if (!arguments.json)
     std::printf("%-28s %9s %9s %7s %8s %9s %9s %6s %9s\n", "rock", "mm", "particles", "bonds", "packing", "mass err",

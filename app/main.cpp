@@ -46,6 +46,18 @@ void add_run(CLI::App& command, RunArguments& a) {
   command.add_flag("--quiet", a.quiet, "no progress and no summary");
 }
 
+/// What is wrong with a command line, and what is accepted.
+std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
+  const std::vector<CLI::App*> chosen = app->get_subcommands();
+  std::string text = error.what();
+  while (!text.empty() && (text.back() == '.' || text.back() == '\n')) text.pop_back();
+  if (!chosen.empty()) return text + "; `gyrosim " + chosen.front()->get_name() + " --help` says what is accepted\n";
+  text += "; accepted are";
+  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
+    text += " " + command->get_name();
+  return text + "\n";
+}
+
 int guarded(const std::function<int()>& command) {
   try {
     return command();
@@ -76,6 +88,7 @@ int main(int argc, char** argv) {
   CLI::App app("gyrosim: rock breakage in gyratory crushers");
   app.set_version_flag("--version", std::string("gyrosim ") + version::number + " (" + version::git + ")");
   app.require_subcommand(1);
+  app.failure_message(usage_problem);
   std::function<int()> chosen;
 
   RunArguments run;

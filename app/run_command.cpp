@@ -29,14 +29,15 @@ double seconds_since(Clock::time_point start) {
 /// A run between its first and last line.
 class Run {
  public:
-  Run(const RunArguments& arguments, const Case& input, RunDirectory directory)
+  /// Nothing is written before the case is known to be sound.
+  Run(const RunArguments& arguments, const Case& input, const RunDirectoryRequest& request)
       : arguments_(arguments),
         input_(input),
-        directory_(std::move(directory)),
         device_(choose_device(arguments.device, arguments.threads)),
         assembly_(assemble(input)),
-        log_(directory_.path / "log.txt"),
         simulation_(input, assembly_, make_dem(device_, assembly_.scene, loads())),
+        directory_(open_run_directory(request)),
+        log_(directory_.path / "log.txt"),
         output_(input, assembly_, record(), directory_.path) {
     for (const std::string& note : assembly_.notes) log_.info(note);
     replace_file(directory_.path / "case.yaml", input.resolved);
@@ -55,6 +56,9 @@ class Run {
       log_.error(stop.what());
       output_.close(simulation_);
       code = exit_stopped;
+    } catch (const std::exception& failure) {
+      fail(summary, failure.what());
+      throw;
     }
     finish(summary);
     return code;
@@ -75,12 +79,13 @@ class Run {
     return r;
   }
 
-  double end() const { return std::min(arguments_.until.value_or(input_.time.duration), input_.time.duration); }
+  double end() const { return arguments_.until.value_or(input_.time.duration); }
 
   int steps(Summary& summary) {
     Progress progress(0, end(), ProgressStyle::for_stderr(arguments_.quiet));
-    const double half_window = 0.5 * assembly_.step.per_window * assembly_.step.dt;
-    while (simulation_.time() < end() - half_window) {
+    output_.begin(simulation_);
+    const double rounding = 1e-6 * assembly_.step.per_window * assembly_.step.dt;
+    while (simulation_.time() < end() - rounding) {
       output_.take(simulation_.advance(), simulation_);
       progress.update(progress_state());
       const bool late = arguments_.max_walltime && seconds_since(start_) > *arguments_.max_walltime;
@@ -157,6 +162,18 @@ class Run {
     if (!arguments_.quiet) std::cout << to_text(s, directory_.path) << std::flush;
   }
 
+  /// Leaves a word in the directory, if that can still be written.
+  void fail(Summary& s, const std::string& reason) const {
+    s.status = RunStatus::failed;
+    s.reason = reason;
+    s.simulated_seconds = simulation_.time();
+    s.wall_seconds = seconds_since(start_);
+    try {
+      write_summary(s, directory_.path);
+    } catch (const OutputError&) {  // the failure itself is reported
+    }
+  }
+
   void product_figures(Summary& s) const {
     const ProductRow row = simulation_.product()->row(simulation_.time());
     s.discharged_mass = row.mass;
@@ -168,12 +185,12 @@ class Run {
 
   const RunArguments& arguments_;
   const Case& input_;
-  RunDirectory directory_;
   Clock::time_point start_ = Clock::now();
   Device device_;
   Assembly assembly_;
-  Log log_;
   Simulation simulation_;
+  RunDirectory directory_;
+  Log log_;
   RunOutput output_;
 };
 
@@ -182,8 +199,9 @@ class Run {
 int run_command(const RunArguments& arguments) {
   const std::optional<Case> input = load_or_complain(arguments.input);
   if (!input) return exit_bad_input;
-  RunDirectory directory =
-      open_run_directory({arguments.out, arguments.input.file.stem().string(), arguments.resume, arguments.overwrite});
+  const RunDirectoryRequest request{arguments.out, arguments.input.file.stem().string(), arguments.resume,
+                                    arguments.overwrite};
+  const RunDirectory directory = find_run_directory(request);
   if (directory.state == RunDirectory::State::finished && !arguments.resume) {
     std::cerr << directory.path.string() << " holds a finished run; nothing to do\n";
     return exit_done;
@@ -192,7 +210,9 @@ int run_command(const RunArguments& arguments) {
     throw BadInput(directory.path.string() +
                    ": this version keeps no checkpoint to resume from; --overwrite starts the run again");
   catch_stop_signals();
-  return Run(arguments, *input, std::move(directory)).run();
+  std::optional<Run> run;
+  located(arguments.input, [&] { run.emplace(arguments, *input, request); });
+  return run->run();
 }
 
 }  // namespace gyro

@@ -84,8 +84,11 @@ bool RunOutput::due(double interval, std::int64_t written, double time) const {
   return interval > 0 && time >= static_cast<double>(written) * interval * (1 - 1e-9);
 }
 
+void RunOutput::begin(const Simulation& simulation) {
+  if (input_.output.snapshots > 0) write_snapshot(simulation);
+}
+
 void RunOutput::take(const WindowResult& result, Simulation& simulation) {
-  if (frames_ == 0) frames_ = 1;
   add_means(result, simulation);
   time_ = simulation.time();
   if (due(input_.output.series, rows_ + 1, time_)) write_row(simulation);
@@ -127,7 +130,7 @@ void RunOutput::write_row(Simulation& simulation) {
   const double discharged = simulation.product() ? simulation.product()->state().mass : 0;
   now["feed_mass"] = fed;
   now["discharged_mass"] = discharged;
-  now["holdup_mass"] = fed - discharged;
+  now["holdup_mass"] = simulation.start_mass() + fed - discharged;
   now["throughput"] = summed_time_ > 0 ? (discharged - discharged_before_) / summed_time_ : 0;
   discharged_before_ = discharged;
   now["particles"] = static_cast<double>(counts.particles);

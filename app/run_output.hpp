@@ -21,6 +21,8 @@ class RunOutput {
   RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
             const std::filesystem::path& directory);
 
+  /// Writes the snapshot of the start, if the case asks for snapshots.
+  void begin(const Simulation& simulation);
   /// Adds a window to the means; writes the row and the snapshot that are due.
   void take(const WindowResult& result, Simulation& simulation);
   /// Writes what is left and closes the files.

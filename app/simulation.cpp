@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation.hpp"
 
+#include "app/bad_key.hpp"
 #include "core/walls/motion.hpp"
 
 namespace gyro {
 
 Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem)
     : input_(input), assembly_(assembly), dem_(std::move(dem)) {
-  if (input.drivetrain) drivetrain_.emplace(*input.drivetrain);
-  put_in(assembly.start);
-  if (assembly.feed) {
-    feed_.emplace(assembly.library, *assembly.feed, assembly.scene.walls, bond_strength(input));
-    put_in(feed_->initial(dem_->wall_poses(), dem_->particles()));
-  }
+  if (input.drivetrain) blaming("drivetrain", [&] { drivetrain_.emplace(*input.drivetrain); });
+  blaming("particles", [&] { put_in(assembly.start); });
+  for (const double mass : dem_->particles().mass) start_mass_ += mass;
+  if (assembly.feed) blaming("feed", [&] { start_feed(); });
   if (input.crusher)
     product_.emplace(assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density);
   inspect();
@@ -63,6 +62,11 @@ void Simulation::put_in(std::span<const NewRock> rocks) {
     bonds_put_in_ += static_cast<std::int64_t>(rock.bonds.size());
   }
   dem_->insert(rocks);
+}
+
+void Simulation::start_feed() {
+  feed_.emplace(assembly_.library, *assembly_.feed, assembly_.scene.walls, bond_strength(input_));
+  put_in(feed_->initial(dem_->wall_poses(), dem_->particles()));
 }
 
 void Simulation::feed_rock() {

@@ -28,6 +28,7 @@ struct WindowResult {
 class Simulation {
  public:
   /// @param dem  empty scene made from `assembly.scene`
+  /// @throws BadKey for a start state or a feed that cannot be had
   Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem);
 
   /// Advances by one window. @throws StoppedByGuard
@@ -45,12 +46,14 @@ class Simulation {
   const std::optional<Feed>& feed() const { return feed_; }
   const std::optional<Product>& product() const { return product_; }
   FeedAccount fed() const;
+  double start_mass() const { return start_mass_; }  ///< of the case's `particles` [kg]
   MassCount mass_count() const;
   std::int64_t fragments() const { return fragments_; }
   std::int64_t bonds_initial() const { return bonds_put_in_; }
 
  private:
   void put_in(std::span<const NewRock> rocks);
+  void start_feed();
   void feed_rock();
   MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double end) const;
 
@@ -63,6 +66,7 @@ class Simulation {
   Ledger ledger_;
   std::int64_t step_ = 0;
   std::int64_t particles_put_in_ = 0, bonds_put_in_ = 0, fragments_ = 0;
+  double start_mass_ = 0;
 };
 
 }  // namespace gyro

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/time_step.hpp"
 
-#include "core/base/errors.hpp"
+#include "app/bad_key.hpp"
 #include "core/dem/contact_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace gyro {
@@ -54,7 +55,7 @@ RockTemplate as_template(const NewRock& rock, const std::string& name) {
 namespace {
 
 struct Limit {
-  double step = 1e300;
+  double step = std::numeric_limits<double>::infinity();
   std::string by;
   void consider(double other, const std::string& what) {
     if (other < step) {
@@ -108,7 +109,7 @@ StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary&
       std::ostringstream message;
       message << "time.step " << wanted << " s is above the stability limit of " << limit.step << " s (" << limit.by
               << "); at most " << input.time.safety * limit.step << " s, or auto";
-      throw BadInput(message.str());
+      throw BadKey("time.step", message.str());
     }
   }
   choice.per_window = static_cast<int>(std::ceil(input.coupling_interval / wanted * (1 - 1e-9)));

@@ -188,6 +188,11 @@ CaseReport load_case(const std::filesystem::path& file, const std::vector<std::s
 /// FILE:LINE:COLUMN: problem; what is accepted
 std::string to_string(const CaseProblem& problem);
 
+/// A problem that showed only after loading, at the place of the key to blame: where the file or the last
+/// override gives it, else where the closest section above it begins.
+CaseProblem problem_at(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       const std::string& key, std::string message);
+
 /// The case with every default written out: plain SI numbers, absolute paths. Reads back to the same case.
 std::string resolved_yaml(const Case& checked);
 

@@ -117,6 +117,23 @@ CaseReport load_case(const fs::path& file, const std::vector<std::string>& overr
   return report;
 }
 
+CaseProblem problem_at(const fs::path& file, const std::vector<std::string>& overrides, const std::string& key,
+                       std::string message) {
+  CaseProblems problems(file.string()), unused(file.string());
+  YamlDocument document = parse_yaml(read_text(file, unused));
+  apply_overrides(document.root, overrides, unused);
+  const YamlNode* node = &document.root;
+  Mark mark{0, 1, 1};
+  for (const std::string_view part : split(key, '.')) {
+    const YamlEntry* entry = node->find(part);
+    if (entry == nullptr) break;
+    mark = entry->mark;
+    node = &entry->value;
+  }
+  problems.add(mark, std::move(message));
+  return problems.sorted().front();
+}
+
 std::string to_string(const CaseProblem& problem) {
   return problem.file + ":" + std::to_string(problem.line) + ":" + std::to_string(problem.column) + ": " +
          problem.message;

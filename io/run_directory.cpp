@@ -92,35 +92,54 @@ RunDirectory next_in_runs(const std::string& case_name) {
   }
 }
 
-RunDirectory open_named(const fs::path& path, bool resume, bool overwrite) {
+/// What there is at a path, without a change to it.
+RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
   if (fs::exists(path) && !fs::is_directory(path))
     throw BadInput("--out " + path.string() + " is a file; a directory, which may be new, is accepted");
-  make_directory(path);
   const bool has_run = has_any(path, marks);
   const EarlierRun earlier = read_summary(path).value_or(EarlierRun{"unfinished", 0});
   if (!has_run && has_any(path, own_files))
     throw BadInput("--out " + path.string() +
                    " holds files named as a run names its own, but no run; another directory is accepted");
-  // A finished run may lie in an archive that nobody may write.
-  if (has_run && !overwrite && earlier.status == "done")
-    return {path, RunDirectory::State::finished, earlier.simulated_seconds};
-  prove_writable(path);
-  if (has_run && overwrite) remove_run(path);
   if (!has_run || overwrite) return {path, RunDirectory::State::fresh, 0};
+  if (earlier.status == "done") return {path, RunDirectory::State::finished, earlier.simulated_seconds};
   if (!resume)
     throw BadInput("--out " + path.string() + " holds a run that is not finished (" + earlier.status +
                    "); --resume goes on with it, --overwrite starts again, another directory is accepted");
   return {path, RunDirectory::State::half_done, earlier.simulated_seconds};
 }
 
-}  // namespace
+RunDirectory open_named(const fs::path& path, bool resume, bool overwrite) {
+  const RunDirectory found = find_named(path, resume, overwrite);
+  // A finished run may lie in an archive that nobody may write.
+  if (found.state == RunDirectory::State::finished) return found;
+  make_directory(path);
+  prove_writable(path);
+  if (overwrite) remove_run(path);
+  return found;
+}
 
-RunDirectory open_run_directory(const RunDirectoryRequest& request) {
+void check_request(const RunDirectoryRequest& request) {
   if (request.resume && request.overwrite)
     throw BadInput("--resume and --overwrite contradict each other; one of them is accepted");
   if (!request.out && (request.resume || request.overwrite))
     throw BadInput(std::string(request.resume ? "--resume" : "--overwrite") +
                    " does not say which run; it is accepted together with --out DIR");
+}
+
+}  // namespace
+
+RunDirectory find_run_directory(const RunDirectoryRequest& request) {
+  check_request(request);
+  try {
+    return request.out ? find_named(*request.out, request.resume, request.overwrite) : RunDirectory{};
+  } catch (const fs::filesystem_error& error) {
+    throw OutputError(error.what());
+  }
+}
+
+RunDirectory open_run_directory(const RunDirectoryRequest& request) {
+  check_request(request);
   try {
     return request.out ? open_named(*request.out, request.resume, request.overwrite) : next_in_runs(request.case_name);
   } catch (const fs::filesystem_error& error) {

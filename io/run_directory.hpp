@@ -26,6 +26,10 @@ struct RunDirectory {
   double simulated_seconds = 0;  ///< of the finished or half-done run, as far as its summary says
 };
 
+/// What open_run_directory() would find, without writing anything. Without `out` it is a fresh run and the
+/// path is empty. @throws BadInput as open_run_directory
+RunDirectory find_run_directory(const RunDirectoryRequest& request);
+
 /// Finds or makes the directory of a run. Without `out` it is runs/<case>-NNN below the working
 /// directory, always a new one. `--overwrite` removes the files that a run writes and no others.
 /// --resume of a directory without a run starts a fresh one, so that a scheduler may always pass it.
