@@ -23,7 +23,7 @@ inline constexpr int threads_per_block = 128;
 template <class Kernel>
 inline constexpr int blocks_at_once = 4;
 template <>
-inline constexpr int blocks_at_once<BondForces<double>> = 3;
+inline constexpr int blocks_at_once<BondForces<double>> = 2;
 template <class Real>
 inline constexpr int blocks_at_once<WallForces<Real>> = 2;
 
