@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -18,6 +19,13 @@ constexpr double bulk_density_of_rock = 1600;  // brochures state capacities at 
 double eccentric_speed(const Case& input) {
   if (!input.drivetrain) return 160 * 2 * 3.14159265358979323846 / 60;
   return idle_speed(*input.drivetrain);
+}
+
+/// The liner as it stands with the mantle centred and lifted to the setting: a case takes the file as it is.
+void write_liner(const ProfileShape& shape, double lift, const std::filesystem::path& file) {
+  MeshShape mesh = revolve(shape, 360);
+  for (Vec3d& v : mesh.vertices) v.z += lift;
+  write_stl(file.string(), {mesh.vertices, mesh.triangles});
 }
 
 }  // namespace
@@ -34,10 +42,8 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
   if (failed) throw OutputError(out.string() + ": cannot make the directory: " + failed.message());
-  for (const auto& [name, shape] : {std::pair{"concave", &liners.concave}, std::pair{"mantle", &liners.mantle}}) {
-    const MeshShape mesh = revolve(*shape, 360);
-    write_stl((out / (std::string(name) + ".stl")).string(), {mesh.vertices, mesh.triangles});
-  }
+  write_liner(liners.concave, 0, out / "concave.stl");
+  write_liner(liners.mantle, liners.motion.lift, out / "mantle.stl");
   nlohmann::json j{{"closed_side_setting", report.closed_side_setting},
                    {"open_side_setting", report.open_side_setting},
                    {"throw", report.throw_at_discharge},
@@ -55,7 +61,8 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
               report.closed_side_setting * 1e3, report.open_side_setting * 1e3, report.throw_at_discharge * 1e3);
   std::printf("chamber volume       %.4g m3\nslice capacity       %.4g t/h at 1.6 t/m3, choke at z = %.3g m\n",
               report.volume, report.capacity * bulk_density_of_rock * 3.6, report.choke_height);
-  for (std::size_t k = 0; k < report.nip_angle.size(); ++k)
+  const std::size_t every = std::max<std::size_t>(1, report.nip_angle.size() / 12);
+  for (std::size_t k = 0; k < report.nip_angle.size(); k += every)
     std::printf("nip angle            %5.1f deg at z = %.3g m\n", report.nip_angle[k] * 57.29577951308232,
                 c.liners[k].z);
   return exit_done;

@@ -41,8 +41,10 @@ void add_run(CLI::App& command, RunArguments& a) {
       ->envname("GYROSIM_THREADS");
   command.add_flag("--resume", a.resume, "go on with a run that was interrupted");
   command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
-  command.add_option("--until", seconds_into(a.until), "end earlier, at this simulated time");
-  command.add_option("--max-walltime", seconds_into(a.max_walltime), "stop after this much wall-clock time");
+  command.add_option("--until", seconds_into(a.until), "end at this simulated time instead of time.duration")
+      ->type_name("TIME");
+  command.add_option("--max-walltime", seconds_into(a.max_walltime), "stop after this much wall-clock time")
+      ->type_name("TIME");
   command.add_flag("--quiet", a.quiet, "no progress and no summary");
 }
 
