@@ -50,7 +50,7 @@ struct FindPairs {
     if (other == n || (same_level && p.id[other] < p.id[n])) return;
     const Sphere partner = p.place[other];
     const double reach = place.radius + partner.radius + margin;
-    if (norm2(partner.x - place.x) >= reach * reach) return;
+    if (!(norm2(partner.x - place.x) < reach * reach)) return;  // nor a partner that is not finite
     Index bond = none;
     if (blocks != nullptr && p.block[n] == p.block[other] && p.block[n] != none) {
       bond = bond_between(n, other);

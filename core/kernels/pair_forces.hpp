@@ -22,7 +22,7 @@ struct PairForces {
     const Vec3d span = b.x - a.x;
     const double sum = a.radius + b.radius, distance2 = norm2(span);
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_gone;
-    if (distance2 >= sum * sum || bonded) {
+    if (!(distance2 < sum * sum) || bonded) {  // what is not finite stays alone: the guard names it
       if (pairs.touching[n]) {
         pairs.touching[n] = 0;
         pairs.memory[n] = {};

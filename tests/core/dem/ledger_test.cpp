@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The balance of energy and momentum with walls that move, and walls of different kinds.
+#include "tests/catch.hpp"
+#include "tests/core/dem/scenes.hpp"
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+constexpr double d = 0.025;
+
+struct Crush {
+  double work, residual, released;
+  std::int64_t broken;
+};
+
+/// A rock of 64 spheres between two plates that close at 2 m/s together.
+Crush crush(Loads loads, double dt) {
+  Scene scene = plain_scene(dt);
+  scene.pairs.assign(4, {0.5, 0.25, 0.02});
+  scene.rolling = true;
+  scene.bonds = paper_bonds();
+  scene.bonds->damping = 0.05;
+  scene.bonds->tensile_strength = 3.6e6;
+  scene.bonds->shear_strength = 2.4e6;
+  std::vector<NewRock> rocks{
+      placed(lattice_rock(0, 4, d, d / 5, 2600), 0, 0, {0, 0, 0}, rotation_about({0.6, 0.8, 0}, 0.5))};
+  scatter_strength(rocks[0]);
+  double top = 0;
+  for (const NewParticle& p : rocks[0].particles) top = std::max(top, std::abs(p.position.z) + p.radius);
+  scene.walls = {{"top", PlaneShape{{0, 0, top}, {0, 0, -1}}, LinearMotion{{0, 0, -1}}, 1},
+                 {"bottom", PlaneShape{{0, 0, -top}, {0, 0, 1}}, LinearMotion{{0, 0, 1}}, 1}};
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  dem->insert(rocks);
+  std::int64_t step = 0;
+  run(*dem, dt, step, std::llround(0.008 / dt));
+  const EnergyTerms e = dem->energy();
+  return {e.wall_work, e.residual(), e.bond_breakage, dem->counts().broken_tension + dem->counts().broken_shear};
+}
+
+}  // namespace
+
+TEST_CASE("The energies of a crushed rock add up to the work of the plates", "[dem][ledger]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Crush coarse = crush(loads, 2e-6), fine = crush(loads, 2.5e-7);
+  for (const Crush& c : {coarse, fine}) {
+    INFO("residual " << c.residual / c.work << " of " << c.work << " J, " << c.broken << " bonds");
+    REQUIRE(c.broken > 20);
+    CHECK(c.work > 0.5);
+    CHECK(c.released > 0);
+    CHECK(std::abs(c.residual) < 5e-3 * c.work);
+  }
+  CHECK(std::abs(fine.residual) < 0.5 * std::abs(coarse.residual));
+}
+
+TEST_CASE("Walls feel the opposite of what the rock feels", "[dem][ledger]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  Scene scene = plain_scene(5e-6);
+  scene.pairs.assign(4, {0.4, 0.3, 0.01});
+  scene.rolling = true;
+  scene.walls = box({0.0445, 0.0445, 0.0445});
+  scene.walls[0].motion = LinearMotion{{1, 0, 0}};
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  dem->insert(cloud(3, 3, 3, 0.029, 0.014, 3.0));
+  std::int64_t step = 0;
+  run(*dem, scene.dt, step, 300);
+  const auto forces = [](const ParticleSnapshot& s) {
+    Vec3d sum{0, 0, 0};
+    for (const Vec3d& f : s.force) sum += f;
+    return sum;
+  };
+  const int steps = 1000;
+  const Vec3d p0 = dem->momentum(), f0 = forces(dem->particles());
+  run(*dem, scene.dt, step, steps, steps);
+  Vec3d walls{0, 0, 0};
+  double largest = 0;
+  for (const WallLoad& w : dem->wall_loads()) {
+    walls += w.force;
+    largest = std::max(largest, norm(w.force));
+  }
+  REQUIRE(largest > 0.1);
+  // Verlet gives half a kick before and half a kick after: the window's sum lags by half a step.
+  const Vec3d gained = dem->momentum() - p0, lag = (0.5 * scene.dt) * (f0 - forces(dem->particles()));
+  const double time = steps * scene.dt;
+  CHECK(norm(gained + time * walls - lag) < (loads == Loads::double_ ? 1e-10 : 1e-6) * largest * time);
+}
+
+TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][walls]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const double dt = 5e-6;
+  MeshShape mesh{{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  ProfileShape profile{{{0, 0}, {0.7, 0}, {3, 0}}};
+  ParticleSnapshot first;
+  WallLoad first_load;
+  for (int kind = 0; kind < 3; ++kind) {
+    Scene scene = plain_scene(dt);
+    scene.gravity = {0, 0, -9.81};
+    scene.pairs.assign(4, {0.4, 0.6, 0.01});
+    scene.rolling = true;
+    Wall floor{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1};
+    if (kind == 1) floor.shape = mesh;
+    if (kind == 2) floor.shape = profile;
+    scene.walls = {floor};
+    const auto dem = make_cpu_dem(scene, loads, 1);
+    const std::vector<NewRock> spheres{sphere(0, {0.3, 0.2, 0.0101}, {1, -0.4, -0.5}, 0.01, 2600, {5, 6, 7}),
+                                       sphere(1, {-0.5, 0.2, 0.0202}, {0.1, 0.4, -0.1}, 0.02, 2600),
+                                       sphere(2, {0.5, 0.9, 0.0100}, {-1, -1, -0.2}, 0.01, 2600)};
+    dem->insert(spheres);
+    std::int64_t step = 0;
+    run(*dem, dt, step, 6000, 6000);
+    const ParticleSnapshot s = dem->particles();
+    if (kind == 0) {
+      first = s;
+      first_load = dem->wall_loads()[0];
+      continue;
+    }
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      CHECK(norm(s.position[k] - first.position[k]) < 1e-12);
+      CHECK(norm(s.velocity[k] - first.velocity[k]) < 1e-11);
+      CHECK(norm(s.spin[k] - first.spin[k]) < 1e-8);
+    }
+    CHECK(norm(dem->wall_loads()[0].force - first_load.force) < 1e-9 * norm(first_load.force));
+  }
+}
+
+TEST_CASE("A smooth sphere swings in a horizontal tube as a pendulum", "[dem][walls]") {
+  // The tube is a profile about z, gravity points along -x: a pendulum of length tube - radius.
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const double dt = 1e-5, tube = 0.1, radius = 0.02, g = 9.81, angle = 0.05;
+  Scene scene = plain_scene(dt);
+  scene.gravity = {-g, 0, 0};
+  scene.pairs.assign(4, {0, 0.5, 0});
+  scene.walls = {{"tube", ProfileShape{{{tube, -1}, {tube, 1}}}, Fixed{}, 1}};
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  const double length = tube - radius;
+  const std::vector<NewRock> one{
+      sphere(0, {-length * std::cos(angle), length * std::sin(angle), 0.1}, {0, 0, 0}, radius, 2600)};
+  dem->insert(one);
+  std::int64_t step = 0;
+  double crossing = 0;
+  for (int crossings = 0; crossings < 5;) {  // five quarter-odd crossings: 2 1/4 periods
+    const double y = dem->particles().position[0].y;
+    run(*dem, dt, step, 10);
+    const double now = dem->particles().position[0].y;
+    if ((y > 0) != (now > 0)) {
+      ++crossings;
+      crossing = (static_cast<double>(step) - 10 * now / (now - y)) * dt;
+    }
+    REQUIRE(step < 400000);
+  }
+  const double period = 2 * M_PI * std::sqrt(length / g) * (1 + angle * angle / 16);
+  CHECK(crossing == Approx(2.25 * period).epsilon(1e-3));
+}
+
+TEST_CASE("Work of a gyrating mantle is its torque times its speed, and the ledger has it", "[dem][ledger][walls]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const double dt = 5e-6, speed = 60;
+  Scene scene = plain_scene(dt);
+  scene.pairs.assign(4, {0.3, 0.5, 0});
+  const GyrationMotion gyration{0.02, 2.0, 0};
+  scene.walls = {{"mantle", ProfileShape{{{0.10, 0.3}, {0.12, -0.3}}}, gyration, 1},
+                 {"concave", ProfileShape{{{0.17, -0.3}, {0.17, 0.3}}}, Fixed{}, 1}};
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  std::vector<NewRock> spheres;
+  for (int k = 0; k < 12; ++k) {
+    const double a = 2 * M_PI * k / 12;
+    spheres.push_back(
+        sphere(static_cast<ParticleId>(k), {0.135 * std::cos(a), 0.135 * std::sin(a), 0}, {0, 0, 0}, 0.02, 2600));
+  }
+  dem->insert(spheres);
+  const double tilt = std::asin(gyration.eccentricity / gyration.pivot_height);
+  const double sigma = speed * std::cos(tilt);  // locked to the eccentric: the spin is `speed` about z
+  double work = 0, biggest = 0;
+  for (int k = 0; k < 100; ++k) {
+    const Window window{k * 200, 200, dt};
+    dem->advance(window, {speed * window.begin(), speed, sigma * window.begin(), sigma});
+    const WallLoad load = dem->wall_loads()[0];
+    CHECK(load.work == Approx(-load.moment.z * speed * window.length()).margin(1e-9));
+    work += load.work;
+    biggest = std::max(biggest, std::abs(load.work));
+  }
+  REQUIRE(biggest > 1e-3);
+  const EnergyTerms e = dem->energy();
+  CHECK(e.wall_work == Approx(work));
+  CHECK(std::abs(e.residual()) < 5e-3 * (e.contact_damping + e.friction + e.kinetic));
+}
