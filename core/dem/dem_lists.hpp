@@ -51,7 +51,7 @@ struct ExtentOf {
 template <class Exec, class Real>
 Grid DemSolver<Exec, Real>::make_grid() {
   const Extent extent = exec_.template reduce<Extent>("extent", particle_count(), ExtentOf{view()});
-  margin_ = scene_.neighbour_margin > 0 ? scene_.neighbour_margin : 0.3 * extent.smallest;
+  margin_ = scene_.neighbour_margin > 0 ? scene_.neighbour_margin : 0.8 * extent.smallest;
   Grid grid{};
   const Index most = 2 * particle_count() + 64;
   for (double radius = extent.largest; grid.levels < Grid::most_levels && radius * 1.0000001 >= extent.smallest;

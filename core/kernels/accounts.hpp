@@ -133,7 +133,7 @@ struct BondSums {
 template <class Real>
 GYRO_HD BondLoad<Real> bond_load_now(const ParticleView& p, const BondView<Real>& b, const BondLaw<Real>& law,
                                      Index n) {
-  const BondLanes<Real, OneLane> bond(OneLane{n}, p, b);
+  const BondLanes<Real, OneLane> bond(OneLane{n}, p, b, 0);
   return b.state[n] == bond_glued ? bond_load(law, bond.section, bond.strain_r, bond.rates)
                                   : unglued_load(law, bond.section, bond.strain_r, bond.rates).load;
 }

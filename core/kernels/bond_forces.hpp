@@ -30,7 +30,8 @@ struct BondLanes {
   BondRates<R> rates;
   BondSection<R> section;
 
-  GYRO_HD BondLanes(const Lanes& lanes, const ParticleView& p, const BondView<Real>& b) {
+  /// @param dt  time since the axes of unglued bonds were stored [s]
+  GYRO_HD BondLanes(const Lanes& lanes, const ParticleView& p, const BondView<Real>& b, double dt) {
     const auto i = lanes.load(b.i), j = lanes.load(b.j);
     const R arm = lanes.load(b.arm);
     const D length = lanes.load(b.length);
@@ -38,13 +39,20 @@ struct BondLanes {
              length, lanes.template cast<double>(arm)};
     ends = {lanes.vector(p.place, j) - lanes.vector(p.place, i), lanes.quaternion(p.turn, i),
             lanes.quaternion(p.turn, j)};
-    strain = bond_strain(shape, ends);
+    const Vec3<D> spin_i = lanes.vector(p.spin, i), spin_j = lanes.vector(p.spin, j);
+    Vec3<D> axis = glued_axis(shape, ends);
+    const auto state = lanes.load(b.state);
+    if (lanes.any_below_and_not(state, bond_gone, bond_glued)) {
+      const Vec3<D> carried = unglued_axis(shape.axis, shape.arm * spin_i + (D(1) - shape.arm) * spin_j, D(dt));
+      axis = select(lanes.template equal<double>(state, bond_glued), axis, carried);
+    }
+    strain = strain_about(axis, shape.length, ends);
     strain_r = {lanes.template cast<Real>(strain.normal),  lanes.template cast<Real>(strain.length),
                 lanes.template cast<Real>(strain.stretch), lanes.template cast<Real>(strain.along),
                 lanes.template cast<Real>(strain.shear),   lanes.template cast<Real>(strain.twist),
                 lanes.template cast<Real>(strain.bend)};
     rates = {lanes.template cast<Real>(lanes.vector(p.motion, j) - lanes.vector(p.motion, i)),
-             lanes.template cast<Real>(lanes.vector(p.spin, i)), lanes.template cast<Real>(lanes.vector(p.spin, j))};
+             lanes.template cast<Real>(spin_i), lanes.template cast<Real>(spin_j)};
     section = {lanes.load(b.radius),
                lanes.load(b.strength),
                lanes.load(b.sqrt_mass),
@@ -72,7 +80,7 @@ struct BondForces {
     using R = typename Lanes::template Number<Real>;
     const auto state = lanes.load(b.state);
     if (!lanes.any_below(state, bond_gone)) return;
-    const BondLanes<Real, Lanes> bond(lanes, p, b);
+    const BondLanes<Real, Lanes> bond(lanes, p, b, static_cast<double>(law.dt));
     const BondLaw<R> constants = lanes.spread(law);
 
     BondLoad<R> load = bond_load(constants, bond.section, bond.strain_r, bond.rates);
@@ -92,14 +100,10 @@ struct BondForces {
  private:
   template <class R, class Mask>
   GYRO_HD static void take(BondLoad<R>& load, const Mask& glued, const BondLoad<R>& other) {
-    load.force = select3(glued, load.force, other.force);
-    load.moment_i = select3(glued, load.moment_i, other.moment_i);
-    load.moment_j = select3(glued, load.moment_j, other.moment_j);
+    load.force = select(glued, load.force, other.force);
+    load.moment_i = select(glued, load.moment_i, other.moment_i);
+    load.moment_j = select(glued, load.moment_j, other.moment_j);
     load.damped = select(glued, load.damped, other.damped);
-  }
-  template <class R, class Mask>
-  GYRO_HD static Vec3<R> select3(const Mask& m, const Vec3<R>& a, const Vec3<R>& c) {
-    return {select(m, a.x, c.x), select(m, a.y, c.y), select(m, a.z, c.z)};
   }
 
   /// A failing bond keeps its normal spring while its ends are pressed together; what else it stored
@@ -147,19 +151,16 @@ struct BondForces {
     return distance > b.length[n] && distance > touch;
   }
 
-  /// Turns the axis of an unglued bond by what slipped (one lane, rare: scalar).
+  /// Stores the axis of an unglued bond: what slip has left of its shear, world frame.
   template <class Lanes, class R>
   GYRO_HD void slip(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, const R& keep, int lane) const {
-    const double left = static_cast<double>(lanes.value(keep, lane));
-    if (left >= 1) return;
-    const Index n = lanes.index(lane), i = b.i[n], j = b.j[n];
-    const BondShape<double> shape{
-        {static_cast<double>(b.axis_x[n]), static_cast<double>(b.axis_y[n]), static_cast<double>(b.axis_z[n])},
-        b.length[n],
-        static_cast<double>(b.arm[n])};
-    const BondEnds<double> ends{p.place[j].x - p.place[i].x, p.turn[i], p.turn[j]};
-    (void)bond;
-    const Vec3d axis = slipped_axis(shape, ends, bond_strain(shape, ends), left);
+    const auto& s = bond.strain;
+    BondStrain<double> one{};
+    one.normal = {lanes.value(s.normal.x, lane), lanes.value(s.normal.y, lane), lanes.value(s.normal.z, lane)};
+    one.shear = {lanes.value(s.shear.x, lane), lanes.value(s.shear.y, lane), lanes.value(s.shear.z, lane)};
+    one.along = lanes.value(s.along, lane);
+    const Vec3d axis = slipped_axis(one, static_cast<double>(lanes.value(keep, lane)));
+    const Index n = lanes.index(lane);
     b.axis_x[n] = static_cast<Real>(axis.x);
     b.axis_y[n] = static_cast<Real>(axis.y);
     b.axis_z[n] = static_cast<Real>(axis.z);

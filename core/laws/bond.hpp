@@ -168,7 +168,7 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
 
   const T gamma2 = norm2(s.shear);
   const T stiff = area * ks * b.length * (b.length / s.length) * s.along;
-  const T trial = stiff * sqrt(gamma2), limit = law.friction * push;
+  const T trial = magnitude(stiff) * sqrt(gamma2), limit = law.friction * push;
 
   UngluedLoad<T> out;
   out.keep = select(trial > limit, limit / larger(trial, T(1e-30)), T(1));

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "core/math/quat.hpp"
+#include "core/math/select.hpp"
 
 namespace gyro {
 
 /// Shape of a bond in the unloaded rock.
 template <class T>
 struct BondShape {
-  Vec3<T> axis;  ///< e, unit vector i -> j, in the frame in which the turns of both ends are 1
+  Vec3<T> axis;  ///< e, unit vector i -> j: while glued in the frame in which the turns of both ends are 1,
+                 ///< once unglued in the world frame
   T length;      ///< L0 [m]
   T arm;         ///< a_i: the bond's section lies at x_i + a_i d; a_j = 1 - a_i [-]
 };
@@ -48,10 +50,24 @@ GYRO_HD Vec3<T> rotate_any(const Quat<T>& q, const Vec3<T>& v) {
   return v + two_over_square * cross(r, cross(r, v) + q.w * v);
 }
 
+/// Where the normal of a glued bond's section points now: e turned by the mean turn of the ends.
+template <class T>
+GYRO_HD Vec3<T> glued_axis(const BondShape<T>& b, const BondEnds<T>& ends) {
+  return rotate_any(mean_turn(b.arm, ends), b.axis);
+}
+
+/// Where the axis of an unglued bond points now. Its ends may roll over each other, so that their mean
+/// turn means nothing; the axis is kept in the world frame instead and goes along with their mean spin.
+/// @param axis  of the last step, world frame
+/// @param spin  a_i w_i + a_j w_j [rad/s]
+template <class T>
+GYRO_HD Vec3<T> unglued_axis(const Vec3<T>& axis, const Vec3<T>& spin, T dt) {
+  return rotate(turned(Quat<T>{T(1), T(0), T(0), T(0)}, spin, dt), axis);
+}
+
 /// Strains of a bond in total form: from positions and turns alone, without history.
 ///
-///   e_w   = e turned by the mean turn a_i q_i + a_j q_j: where the section's normal points now
-///   gamma = e_w - (e_w . n) n        shear angle, from n towards e_w
+///   gamma = e_w - (e_w . n) n        shear angle, from n towards the axis e_w
 ///   theta = 2 vec(q_j q_i^-1)        relative turn of the ends
 ///
 /// Objective by construction: a rigid turn of both ends turns the vectors and changes no scalar.
@@ -61,11 +77,13 @@ GYRO_HD Vec3<T> rotate_any(const Quat<T>& q, const Vec3<T>& v) {
 ///
 /// Departure: Potyondy & Cundall (2004) add up increments, which needs six numbers of history
 /// per bond; the two agree to first order in the strains (core/README.md has the trial).
+///
+/// @param axis    e_w: glued_axis() or unglued_axis()
+/// @param length0 L0 [m]
 template <class T>
-GYRO_HD BondStrain<T> bond_strain(const BondShape<T>& b, const BondEnds<T>& ends) {
+GYRO_HD BondStrain<T> strain_about(const Vec3<T>& axis, T length0, const BondEnds<T>& ends) {
   const T length = norm(ends.span);
   const Vec3<T> n = (T(1) / length) * ends.span;
-  const Vec3<T> axis = rotate_any(mean_turn(b.arm, ends), b.axis);
   const T along = dot(axis, n);
 
   const Quat<T>&p = ends.turn_i, &q = ends.turn_j;
@@ -73,17 +91,22 @@ GYRO_HD BondStrain<T> bond_strain(const BondShape<T>& b, const BondEnds<T>& ends
   const Vec3<T> half = p.w * rq - q.w * rp + cross(rp, rq);
   const Vec3<T> theta = half + half;
   const T twist = dot(theta, n);
-  return {n, length, length - b.length, along, axis - along * n, twist, theta - twist * n};
+  return {n, length, length - length0, along, axis - along * n, twist, theta - twist * n};
 }
 
-/// The bond axis that would show `keep` (0..1) of the present shear: what slip leaves behind.
-/// @return unit vector in the frame of BondShape::axis
+/// Strains of a glued bond.
 template <class T>
-GYRO_HD Vec3<T> slipped_axis(const BondShape<T>& b, const BondEnds<T>& ends, const BondStrain<T>& s, T keep) {
+GYRO_HD BondStrain<T> bond_strain(const BondShape<T>& b, const BondEnds<T>& ends) {
+  return strain_about(glued_axis(b, ends), b.length, ends);
+}
+
+/// The axis that shows `keep` (0..1) of the present shear: what slip leaves behind.
+/// @return unit vector, world frame
+template <class T>
+GYRO_HD Vec3<T> slipped_axis(const BondStrain<T>& s, T keep) {
   using std::sqrt;
-  const Vec3<T> axis = s.along * s.normal + keep * s.shear;
-  const Quat<T> q = mean_turn(b.arm, ends);
-  return (T(1) / sqrt(norm2(axis))) * rotate_any(conjugate(q), axis);
+  const Vec3<T> axis = magnitude(s.along) * s.normal + keep * s.shear;
+  return (T(1) / sqrt(norm2(axis))) * axis;
 }
 
 }  // namespace gyro

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/hd.hpp"
+#include "core/math/vec3.hpp"
 
 // Branch-free choices, so that one text of a law serves single numbers and packs.
 
@@ -12,6 +12,12 @@ GYRO_HD constexpr float select(bool choose, float a, float b) {
 }
 GYRO_HD constexpr double select(bool choose, double a, double b) {
   return choose ? a : b;
+}
+
+/// The same choice for all three components.
+template <class Mask, class T>
+GYRO_HD Vec3<T> select(const Mask& choose, const Vec3<T>& a, const Vec3<T>& b) {
+  return {select(choose, a.x, b.x), select(choose, a.y, b.y), select(choose, a.z, b.z)};
 }
 
 template <class T>

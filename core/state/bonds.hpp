@@ -51,7 +51,7 @@ inline constexpr Index bond_alignment = 8;
 
 /// What is known of a block as a whole.
 enum BlockState : std::int32_t {
-  block_intact = 0,  ///< no bond has failed: its particles do not look for contacts among each other
+  block_intact = 0,  ///< no bond has failed: bonded pairs are not listed as contacts to come
   block_broken = 1
 };
 
