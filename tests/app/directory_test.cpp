@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run does to its directory, and how it ends.
+#include "tests/app/program.hpp"
+#include "tests/catch.hpp"
+
+#include <map>
+
+namespace {
+
+using namespace gyro;
+namespace fs = std::filesystem;
+
+const std::string box = "'" GYRO_CASES "/box.yaml'";
+const std::string endless = box + " --set 'time.duration=10 h' --set output.snapshots=0";
+
+/// Content of every file below a directory.
+std::map<std::string, std::string> contents(const fs::path& directory) {
+  std::map<std::string, std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(directory))
+    if (entry.is_regular_file()) found[entry.path().string()] = read_text(entry.path());
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("Without --out every run gets a new directory, named after its case") {
+  const Workplace place;
+  for (int k = 0; k < 2; ++k) REQUIRE(place.gyrosim("run " + box + " --until '1 ms'").code == 0);
+  CHECK(fs::exists(place.path() / "runs/box-001/summary.json"));
+  CHECK(fs::exists(place.path() / "runs/box-002/summary.json"));
+}
+
+TEST_CASE("A run leaves results, log, resolved case and summary; the resolved case runs alike") {
+  const Workplace place;
+  REQUIRE(place.gyrosim("run " + box + " --until '20 ms' --out a --set case.seed=7").code == 0);
+  for (const char* name : {"results.h5", "summary.json", "log.txt", "case.yaml", "particles.pvd", "walls.pvd"})
+    CHECK(fs::file_size(place.path() / "a" / name) > 0);
+  CHECK(place.gyrosim("run a/case.yaml --until '20 ms' --out b").code == 0);
+  for (const std::string name : {"ledger/kinetic", "series/max_overlap_ratio"})
+    CHECK(result_of(place.path() / "a", name) == result_of(place.path() / "b", name));
+  CHECK(read_text(place.path() / "a/case.yaml") == read_text(place.path() / "b/case.yaml"));
+}
+
+TEST_CASE("A finished run is left alone, --overwrite starts it again") {
+  const Workplace place;
+  const std::string run = "run " + box + " --out r";
+  REQUIRE(place.gyrosim(run + " --until '1 ms'").code == 0);
+  const auto before = contents(place.path());
+  const Outcome again = place.gyrosim(run + " --until '1 ms'");
+  CHECK(again.code == 0);
+  CHECK(again.err.find("finished") != std::string::npos);
+  CHECK(contents(place.path()) == before);
+  CHECK(place.gyrosim(run + " --overwrite --until '2 ms'").code == 0);
+  CHECK(summary_of(place.path() / "r")["simulated_seconds"].get<double>() == Approx(0.002));
+}
+
+TEST_CASE("--until is reached, whatever the windows, in any unit and beyond the case's duration") {
+  const Workplace place;
+  int k = 0;
+  for (const auto& [until, reached] : std::vector<std::pair<std::string, double>>{
+           {"0.003", 3e-3}, {"'3 ms'", 3e-3}, {"'3200 us'", 3.5e-3}, {"'10.5 ms'", 10.5e-3}, {"0", 0}}) {
+    const std::string name = std::to_string(++k);
+    REQUIRE(place.gyrosim("run " + box + " --set 'time.duration=10 ms' --out " + name + " --until " + until).code == 0);
+    const nlohmann::json summary = summary_of(place.path() / name);
+    CHECK(summary["status"] == "done");
+    CHECK(summary["simulated_seconds"].get<double>() == Approx(reached).margin(1e-12));
+  }
+}
+
+TEST_CASE("A signal ends a run at its window, files closed, exit code 75; the next call asks what to do") {
+  const std::string signal = GENERATE(as<std::string>{}, "TERM", "INT", "USR1");
+  const Workplace place;
+  CHECK(place.gyrosim_with_signal("run " + endless + " --out r --quiet", signal, 1).code == 75);
+  const nlohmann::json summary = summary_of(place.path() / "r");
+  CHECK(summary["status"] == "interrupted");
+  CHECK(summary["reason"].get<std::string>().find("signal") != std::string::npos);
+  const std::vector<double> time = result_of(place.path() / "r", "series/time");
+  REQUIRE(!time.empty());
+  CHECK(time.back() == Approx(summary["simulated_seconds"].get<double>()));
+
+  const auto before = contents(place.path());
+  const Outcome again = place.gyrosim("run " + box + " --out r");
+  CHECK(again.code == 2);
+  CHECK(again.err.find("--resume") != std::string::npos);
+  CHECK(again.err.find("--overwrite") != std::string::npos);
+  CHECK(contents(place.path()) == before);
+  CHECK(place.gyrosim("run " + box + " --out r --overwrite --until '1 ms'").code == 0);
+}
+
+TEST_CASE("--max-walltime ends a run with exit code 75") {
+  const Workplace place;
+  CHECK(place.gyrosim("run " + endless + " --out r --max-walltime '0.5 s'").code == 75);
+  CHECK(summary_of(place.path() / "r")["status"] == "interrupted");
+  CHECK(summary_of(place.path() / "r")["reason"].get<std::string>().find("--max-walltime") != std::string::npos);
+}
+
+TEST_CASE("A run that the guard stops has exit code 4 and says why") {
+  const Workplace place;
+  // A sphere so fast that it would pass another one within a step.
+  place.write("two.csv", "id,x,y,z,r,vx,vy,vz\n1,0,0,0.05,0.01,0,0,0\n2,0.05,0,0.05,0.01,0,0,900\n");
+  const Outcome outcome =
+      place.gyrosim("run " + box + " --set particles.file=" + (place.path() / "two.csv").string() + " --out r");
+  INFO(outcome.err);
+  CHECK(outcome.code == 4);
+  CHECK(summary_of(place.path() / "r")["status"] == "stopped");
+  CHECK(summary_of(place.path() / "r")["reason"].get<std::string>().find("particle moves by") != std::string::npos);
+}
+
+TEST_CASE("Standard output holds the summary alone, nothing with --quiet") {
+  const Workplace place;
+  const Outcome loud = place.gyrosim("run " + box + " --until '1 ms' --out a");
+  CHECK(loud.out.find("done") != std::string::npos);
+  CHECK(loud.err.find("results in a") != std::string::npos);
+  const Outcome quiet = place.gyrosim("run " + box + " --until '1 ms' --out b --quiet");
+  CHECK(quiet.out.empty());
+  CHECK(quiet.err.empty());
+}

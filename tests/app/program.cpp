@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program.hpp"
+
+#include "io/hdf5.hpp"
+
+#include <sys/wait.h>
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace gyro {
+namespace fs = std::filesystem;
+
+Outcome Workplace::call(const std::string& command) const {
+  const std::string notes = notes_.path().string();
+  const std::string whole = "cd '" + work_.path().string() + "' && GYROSIM_THREADS=1 XDG_CACHE_HOME='" + notes + "' " +
+                            command + " >'" + notes + "/out' 2>'" + notes + "/err'";
+  const int status = std::system(whole.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(notes + "/out"), read_text(notes + "/err")};
+}
+
+Outcome Workplace::gyrosim(const std::string& arguments) const {
+  return call("'" GYROSIM "' " + arguments);
+}
+
+Outcome Workplace::gyrosim_with_signal(const std::string& arguments, const std::string& signal, double seconds) const {
+  return call("timeout -s " + signal + " --preserve-status " + std::to_string(seconds) + " '" GYROSIM "' " + arguments);
+}
+
+void Workplace::write(const std::string& name, const std::string& text) const {
+  std::ofstream(work_.path() / name) << text;
+}
+
+std::vector<std::string> Workplace::listing() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(work_.path()))
+    names.push_back(fs::relative(entry.path(), work_.path()).string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string read_text(const fs::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+nlohmann::json summary_of(const fs::path& run) {
+  return nlohmann::json::parse(read_text(run / "summary.json"));
+}
+
+std::vector<double> result_of(const fs::path& run, const std::string& dataset) {
+  return hdf5::File::open(run / "results.h5").dataset(dataset).read();
+}
+
+std::vector<std::string> results_in(const fs::path& run, const std::string& group) {
+  const hdf5::File file = hdf5::File::open(run / "results.h5");
+  return file.contains(group) ? file.children(group) : std::vector<std::string>{};
+}
+
+}  // namespace gyro

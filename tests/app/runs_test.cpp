@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole runs of small cases through the program: what they write, and that it is the same every time.
+#include "io/hdf5.hpp"
+#include "tests/app/program.hpp"
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace gyro;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string crush = "'" GYRO_APP_CASES "/crush.yaml'", platen = "'" GYRO_APP_CASES "/platen.yaml'",
+                  box = "'" GYRO_CASES "/box.yaml'", quickstart = "'" GYRO_CASES "/quickstart.yaml'";
+
+/// Every number of results.h5 but the wall clock's, in order of name.
+std::vector<std::pair<std::string, std::vector<double>>> all_results(const fs::path& run) {
+  std::vector<std::pair<std::string, std::vector<double>>> found;
+  for (const std::string group : {"series", "ledger", "breakage", "product"})
+    for (const std::string& name : results_in(run, group))
+      if (name != "wall_seconds") found.emplace_back(group + "/" + name, result_of(run, group + "/" + name));
+  return found;
+}
+
+/// Runs a case to its end. @returns the run's directory
+fs::path done(const Workplace& place, const std::string& arguments, const std::string& name) {
+  const Outcome outcome = place.gyrosim("run " + arguments + " --out " + name);
+  INFO(arguments << "\n" << outcome.err);
+  REQUIRE(outcome.code == 0);
+  return place.path() / name;
+}
+
+}  // namespace
+
+TEST_CASE("One thread and two give the same numbers, another seed others") {
+  const Workplace place;
+  const std::string run = crush + " --until '15 ms'";
+  const auto one = all_results(done(place, run + " --threads 1", "one")),
+             two = all_results(done(place, run + " --threads 2", "two")),
+             other = all_results(done(place, run + " --set case.seed=2", "other"));
+  REQUIRE(one.size() > 35);
+  REQUIRE(one.size() == two.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    INFO(one[k].first);
+    CHECK(one[k].first == two[k].first);
+    CHECK(one[k].second == two[k].second);
+  }
+  CHECK(summary_of(place.path() / "one")["bonds_broken"] > 5);
+  CHECK(result_of(place.path() / "one", "series/crushing_power") !=
+        result_of(place.path() / "other", "series/crushing_power"));
+}
+
+TEST_CASE("A crusher's run has every series, and its summary agrees with them") {
+  const Workplace place;
+  const fs::path run = done(place, crush + " --until '60 ms'", "r");
+  for (const char* name :
+       {"time",         "motor_speed",          "eccentric_speed",    "eccentric_angle", "mantle_spin",
+        "motor_torque", "mantle_torque",        "motor_power",        "crushing_power",  "mantle_force",
+        "feed_mass",    "discharged_mass",      "holdup_mass",        "throughput",      "particles",
+        "bonds_intact", "bonds_broken_tension", "bonds_broken_shear", "fragments",       "max_overlap_ratio",
+        "wall_seconds"}) {
+    INFO(name);
+    const std::size_t columns = std::string(name) == "mantle_force" ? 3 : 1;
+    CHECK(result_of(run, std::string("series/") + name).size() == 120 * columns);
+    CHECK(
+        !hdf5::File::open(run / "results.h5").dataset(std::string("series/") + name).string_attribute("units").empty());
+  }
+  for (const char* name :
+       {"kinetic", "potential", "contact_elastic", "bond_elastic", "contact_damping", "friction", "bond_damping",
+        "bond_breakage", "wall_work", "energy_residual", "mass_residual", "power_residual"})
+    CHECK(result_of(run, std::string("ledger/") + name).size() == 120);
+
+  const json summary = summary_of(run);
+  CHECK(summary["status"] == "done");
+  CHECK(summary["mass_residual_fraction"] == 0);
+  CHECK(std::abs(summary["energy_residual_fraction"].get<double>()) < 0.01);
+  CHECK(summary["stalled"] == false);
+  CHECK(summary["precision"] == "mixed");
+  const double tension = result_of(run, "series/bonds_broken_tension").back(),
+               shear = result_of(run, "series/bonds_broken_shear").back(),
+               intact = result_of(run, "series/bonds_intact").back();
+  const double broken = summary["bonds_broken"];
+  CHECK(broken > 50);
+  CHECK(tension + shear == broken);
+  CHECK(intact + broken == summary["bonds_initial"].get<double>());
+  CHECK(static_cast<double>(result_of(run, "breakage/time").size()) == broken);
+  CHECK(result_of(run, "ledger/mass_residual") == std::vector<double>(120, 0.0));
+  const double fed = summary["feed_mass"], discharged = summary["discharged_mass"];
+  CHECK(result_of(run, "series/holdup_mass").back() == Approx(fed - discharged));
+  CHECK(summary["throughput_tph"].get<double>() == Approx(discharged / 0.06 * 3.6));
+  const std::vector<double> power = result_of(run, "series/crushing_power");
+  CHECK(summary["mean_crushing_power"].get<double>() ==
+        Approx(std::accumulate(power.begin(), power.end(), 0.0) / 120).epsilon(1e-9));
+  CHECK(result_of(run, "ledger/wall_work").back() ==
+        Approx(0.06 * summary["mean_crushing_power"].get<double>()).epsilon(1e-3));
+  CHECK(fs::exists(run / "snapshots/particles_000000.vtp"));
+  CHECK(fs::exists(run / "snapshots/bonds_000006.vtp"));
+}
+
+TEST_CASE("A scene without bonds, feed, crusher and drive has none of their output") {
+  const Workplace place;
+  const fs::path run = done(place, box + " --until '60 ms'", "r");
+  CHECK(results_in(run, "series") ==
+        std::vector<std::string>{"max_overlap_ratio", "particles", "time", "wall_seconds"});
+  for (const std::string group : {"breakage", "product", "liners"}) CHECK(results_in(run, group).empty());
+  const json summary = summary_of(run);
+  CHECK(summary["particles"] == 300);
+  CHECK(summary["bonds_initial"] == 0);
+  CHECK(summary["bond_steps"] == 0);
+  for (const char* name :
+       {"feed_mass", "discharged_mass", "throughput_tph", "specific_energy_kwh_per_t", "p80", "mean_crushing_power"})
+    CHECK(summary[name].is_null());
+  CHECK(summary["mass_residual_fraction"] == 0);
+  CHECK(!fs::exists(run / "bonds.pvd"));
+  CHECK(read_text(run / "log.txt").find("bond forces") == std::string::npos);
+}
+
+TEST_CASE("The energy residual of impacts falls with the step") {
+  const Workplace place;
+  double coarser = 0.02 / 0.6;
+  for (const std::string safety : {"0.7", "0.35", "0.175"}) {
+    const fs::path run = done(place, box + " --until '60 ms' --set time.safety=" + safety, safety);
+    const double residual = std::abs(summary_of(run)["energy_residual_fraction"].get<double>());
+    INFO(safety << ": " << residual);
+    CHECK(residual < 0.6 * coarser);
+    coarser = residual;
+  }
+}
+
+TEST_CASE("A rock between plates breaks, and its energies close within half a percent") {
+  const Workplace place;
+  const fs::path run = done(place, platen, "r");
+  const json summary = summary_of(run);
+  CHECK(summary["bonds_broken"] > 20);
+  CHECK(std::abs(summary["energy_residual_fraction"].get<double>()) < 0.005);
+  CHECK(result_of(run, "ledger/wall_work").back() > 0);
+  CHECK(result_of(run, "ledger/bond_breakage").back() > 0);
+  const std::vector<double> fragments = result_of(run, "series/fragments");
+  CHECK(fragments.front() == 1);
+  CHECK(fragments.back() > 3);
+  for (const std::string& name : results_in(run, "series")) CHECK(name.find("motor") == std::string::npos);
+}
+
+TEST_CASE("The quickstart starts well: energies within 2 %, no particle lost, nothing stopped") {
+  const Workplace place;
+  const fs::path run = done(place, quickstart + " --until '15 ms'", "r");
+  const json summary = summary_of(run);
+  CHECK(summary["particles"] > 1000);
+  CHECK(summary["mass_residual_fraction"] == 0);
+  CHECK(std::abs(summary["energy_residual_fraction"].get<double>()) < 0.02);
+  CHECK(result_of(run, "series/time").size() == 15);
+}
