@@ -3,10 +3,13 @@
 
 #include "core/exec/pack_lanes.hpp"
 #include "core/exec/phase_timer.hpp"
+#include "core/exec/thread_team.hpp"
 #include "core/state/bonds.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <span>
 #include <type_traits>
@@ -15,7 +18,7 @@
 
 namespace gyro {
 
-/// The CPU executor: OpenMP threads and packs. An executor is the only thing that the solver's loops
+/// The CPU executor: a team of threads, and packs. An executor is the only thing that the solver's loops
 /// know of a machine; gpu/ has its twin. Contract of each operation:
 ///
 ///   for_each(label, n, kernel)      kernel(i) for i in [0, n), any order; no two calls write the same
@@ -35,7 +38,7 @@ class Cpu {
   template <class T>
   using Buffer = std::vector<T>;
 
-  explicit Cpu(int threads) : threads_(std::max(1, threads)) {}
+  explicit Cpu(int threads) : threads_(std::max(1, threads)), team_(std::make_unique<ThreadTeam>(threads_)) {}
 
   int threads() const { return threads_; }
   PhaseTimer& timer() { return timer_; }
@@ -48,8 +51,11 @@ class Cpu {
     if (n < inline_limit || threads_ == 1) {
       for (Index i = 0; i < n; ++i) kernel(i);
     } else {
-#pragma omp parallel for schedule(static) num_threads(threads_)
-      for (Index i = 0; i < n; ++i) kernel(i);
+      const Index share = (n + threads_ - 1) / threads_;
+      team_->run([&](int t) {
+        const Index end = std::min(n, (t + 1) * share);
+        for (Index i = t * share; i < end; ++i) kernel(i);
+      });
     }
     timer_.end(mark);
   }
@@ -60,12 +66,15 @@ class Cpu {
                       const Kernel& kernel) {
     (void)colour_begin;  // the order of the bonds is enough for one thread
     const PhaseTimer::Mark mark = timer_.begin(label);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_)
-    for (Index k = 0; k < n; ++k) {
-      const Block block = blocks[k];
-      for (Index p = block.first_particle; p < block.end_particle; ++p) kernel.clear(p);
-      for (Index b = block.first_bond; b < block.end_bond; b += bond_alignment) kernel(PackLanes<bond_alignment>{b}, k);
-    }
+    std::atomic<Index> next{0};
+    team_->run([&](int) {
+      for (Index k; (k = next.fetch_add(1, std::memory_order_relaxed)) < n;) {
+        const Block block = blocks[k];
+        for (Index p = block.first_particle; p < block.end_particle; ++p) kernel.clear(p);
+        for (Index b = block.first_bond; b < block.end_bond; b += bond_alignment)
+          kernel(PackLanes<bond_alignment>{b}, k);
+      }
+    });
     timer_.end(mark);
   }
 
@@ -74,11 +83,17 @@ class Cpu {
     const PhaseTimer::Mark mark = timer_.begin(label);
     const Index chunks = (n + chunk - 1) / chunk;
     std::vector<T> part(static_cast<std::size_t>(chunks));
-#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= inline_limit)
-    for (Index c = 0; c < chunks; ++c) {
+    const auto add_up = [&](Index c) {
       T sum{};
       for (Index i = c * chunk; i < std::min(n, (c + 1) * chunk); ++i) sum = sum + map(i);
       part[static_cast<std::size_t>(c)] = sum;
+    };
+    if (chunks == 1) {
+      add_up(0);
+    } else {
+      team_->run([&](int t) {
+        for (Index c = t; c < chunks; c += threads_) add_up(c);
+      });
     }
     T total{};
     for (const T& p : part) total = total + p;
@@ -145,6 +160,7 @@ class Cpu {
   static constexpr Index chunk = 1024;
 
   int threads_;
+  std::unique_ptr<ThreadTeam> team_;
   PhaseTimer timer_;
   Buffer<std::uint64_t> spare_keys_;
   Buffer<Index> spare_values_;
