@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
+#include "io/library_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,12 @@ constexpr double bulk_density_of_rock = 1600;  // brochures state capacities at 
 double eccentric_speed(const Case& input) {
   if (!input.drivetrain) return 160 * 2 * 3.14159265358979323846 / 60;
   return idle_speed(*input.drivetrain);
+}
+
+void make_directory(const std::filesystem::path& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (failed) throw OutputError(path.string() + ": cannot make the directory: " + failed.message());
 }
 
 /// The liner as it stands with the mantle centred and lifted to the setting: a case takes the file as it is.
@@ -39,9 +46,7 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   const CaseCrusher& c = *input->crusher;
   const Liners liners = located(arguments, [&] { return blaming("crusher", [&] { return liners_of(c); }); });
   const LinerReport report = measure(liners, eccentric_speed(*input), norm(input->gravity));
-  std::error_code failed;
-  std::filesystem::create_directories(out, failed);
-  if (failed) throw OutputError(out.string() + ": cannot make the directory: " + failed.message());
+  make_directory(out);
   write_liner(liners.concave, 0, out / "concave.stl");
   write_liner(liners.mantle, liners.motion.lift, out / "mantle.stl");
   nlohmann::json j{{"closed_side_setting", report.closed_side_setting},
@@ -74,8 +79,12 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   if (!input->rocks)
     throw BadInput(to_string(
         problem_at(arguments.file, arguments.set, "rocks", "the case has no `rocks`; a library is made from them")));
-  if (out) throw BadInput("library --out is not available in this version; the table is printed, with --json in full");
   const Assembly assembly = located(arguments, [&] { return assemble(*input); });
+  if (out) {
+    make_directory(*out);
+    write_library(assembly.library, *out);
+    write_library_preview(assembly.library, *out);
+  }
   nlohmann::json j{{"rocks", nlohmann::json::array()}, {"seconds", assembly.library.seconds}};
   if (!arguments.json)
     std::printf("%-28s %9s %9s %7s %8s %9s %9s %6s %9s\n", "rock", "mm", "particles", "bonds", "packing", "mass err",

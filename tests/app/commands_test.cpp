@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands other than run.
+#include "io/hdf5.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
+
+#include <cmath>
 
 namespace {
 
@@ -77,6 +80,29 @@ TEST_CASE("library --json lists every rock, the same at every call") {
     CHECK(std::abs(rock["mass_error"].get<double>()) < 0.005);
     CHECK(rock["critical_step"] > 0);
     CHECK(rock["packing_fraction"] > 0.5);
+  }
+}
+
+TEST_CASE("library --out keeps every rock, and a picture") {
+  const Workplace place;
+  const json j = document(place, "library " + crush + " --out l --json");
+  CHECK(place.listing() == std::vector<std::string>{"l", "l/bonds.pvd", "l/library.h5", "l/particles.pvd",
+                                                    "l/snapshots", "l/snapshots/bonds_000000.vtp",
+                                                    "l/snapshots/particles_000000.vtp"});
+  const hdf5::File file = hdf5::File::open(place.path() / "l/library.h5");
+  CHECK(file.children("/rocks").size() == 3);
+  for (const json& rock : j["rocks"]) {
+    const std::string group = "/rocks/" + rock["name"].get<std::string>();
+    CHECK(file.dataset(group + "/centres").rows() == rock["particles"].get<int>());
+    CHECK(file.dataset(group + "/centres").columns() == 3);
+    CHECK(file.dataset(group + "/bonds").rows() == rock["bonds"].get<int>());
+    CHECK(file.number_attribute(group, "diameter") == rock["diameter"].get<double>());
+    const std::vector<double> centres = file.dataset(group + "/centres").read(),
+                              pairs = file.dataset(group + "/bonds").read();
+    const auto i = static_cast<std::size_t>(3 * pairs[0]), k = static_cast<std::size_t>(3 * pairs[1]);
+    const double distance =
+        std::hypot(centres[i] - centres[k], centres[i + 1] - centres[k + 1], centres[i + 2] - centres[k + 2]);
+    CHECK(file.dataset(group + "/bond_length").read()[0] == Approx(distance).epsilon(1e-6));
   }
 }
 
