@@ -24,9 +24,9 @@ struct Estimate {
   double bytes = 0, seconds = 0;
 };
 
-/// Particles and bonds of the average rock of a library, by number as the feed draws them.
+/// Mass and particles of the average rock of a library, by number as the feed draws them.
 struct MeanRock {
-  double mass = 0, particles = 0, bonds = 0;
+  double mass = 0, particles = 0;
 };
 MeanRock mean_rock(const RockLibrary& library, double density) {
   MeanRock mean;
@@ -36,22 +36,25 @@ MeanRock mean_rock(const RockLibrary& library, double density) {
     weights += weight;
     mean.mass += weight * mass;
     mean.particles += weight * static_cast<double>(rock.centres.size());
-    mean.bonds += weight * static_cast<double>(rock.bonds.size());
   }
-  if (weights > 0) mean = {mean.mass / weights, mean.particles / weights, mean.bonds / weights};
+  if (weights > 0) mean = {mean.mass / weights, mean.particles / weights};
   return mean;
 }
 
-/// Wall seconds per step of the scene as it stands at t = 0, by running some windows of it. Their median:
-/// the first steps build neighbour lists, and others may use the machine.
-double seconds_per_step(const Case& input, const Assembly& assembly, std::int64_t particles) {
+/// What a run of some windows from t = 0 shows.
+struct Trial {
+  Counts start;
+  double seconds_per_step;  ///< median: the first steps build neighbour lists, and others may use the machine
+};
+Trial try_out(const Case& input, const Assembly& assembly) {
   constexpr double enough_work = 1e6;  // particle steps in a trial window, some tenths of a second
   constexpr double enough_time = 1.5;  // [s]
   Assembly trial = assembly;
-  const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(particles, 1));
-  trial.step.per_window = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(trial.step.per_window)));
   const Loads loads = input.numerics.precision == Precision::mixed ? Loads::single : Loads::double_;
   Simulation simulation(input, trial, make_dem(choose_device("cpu", 0), trial.scene, loads));
+  const Counts at_start = simulation.dem().counts();
+  const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(at_start.particles, 1));
+  trial.step.per_window = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(trial.step.per_window)));
   using Clock = std::chrono::steady_clock;
   std::vector<double> seconds;
   const auto start = Clock::now();
@@ -62,38 +65,28 @@ double seconds_per_step(const Case& input, const Assembly& assembly, std::int64_
   } while (seconds.size() < 3 ||
            (seconds.size() < 100 && Clock::now() - start < std::chrono::duration<double>(enough_time)));
   std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
-  return seconds[seconds.size() / 2] / trial.step.per_window;
+  return {at_start, seconds[seconds.size() / 2] / trial.step.per_window};
 }
 
 Estimate estimate(const Case& input, const Assembly& assembly) {
   Estimate e;
   e.step = assembly.step;
   e.steps = std::llround(input.time.duration / e.step.dt);
-  for (const NewRock& rock : assembly.start) {
-    e.particles += static_cast<std::int64_t>(rock.particles.size());
-    e.bonds += static_cast<std::int64_t>(rock.bonds.size());
-  }
-  const double density = assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
+  const Trial trial = try_out(input, assembly);
+  e.particles = trial.start.particles;
+  e.bonds = trial.start.bonds_intact;
   double fed_later = 0;
   if (assembly.feed) {
+    const FeedPlan& plan = *assembly.feed;
+    const double density = assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
     const MeanRock mean = mean_rock(assembly.library, density);
-    const double initial = assembly.feed->initial / mean.mass;
-    e.particles += std::llround(initial * mean.particles);
-    e.bonds += std::llround(initial * mean.bonds);
-    for (const FixedRock& fixed : assembly.feed->fixed) {
-      const RockTemplate& rock = assembly.library.rocks[static_cast<std::size_t>(fixed.rock)];
-      e.particles += static_cast<std::int64_t>(rock.centres.size());
-      e.bonds += static_cast<std::int64_t>(rock.bonds.size());
-    }
-    fed_later =
-        (assembly.feed->batch + assembly.feed->rate * std::max(0.0, input.time.duration - assembly.feed->start)) /
-        mean.mass * mean.particles;
+    fed_later = (plan.batch + plan.rate * std::max(0.0, input.time.duration - plan.start)) / mean.mass * mean.particles;
   }
   e.particles_at_end = e.particles + std::llround(fed_later);
   e.bytes = 700.0 * static_cast<double>(e.particles_at_end) + 70.0 * static_cast<double>(e.bonds);
   const double growth =
       e.particles > 0 ? 0.5 * (1 + static_cast<double>(e.particles_at_end) / static_cast<double>(e.particles)) : 1;
-  e.seconds = static_cast<double>(e.steps) * growth * seconds_per_step(input, assembly, e.particles);
+  e.seconds = static_cast<double>(e.steps) * growth * trial.seconds_per_step;
   return e;
 }
 

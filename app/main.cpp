@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.hpp"
-#include "app/thread_waits.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 #include "io/units.hpp"
@@ -88,7 +87,6 @@ int guarded(const std::function<int()>& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  shorten_thread_waits(argv);
   CLI::App app("gyrosim: rock breakage in gyratory crushers");
   app.set_version_flag("--version", std::string("gyrosim ") + version::number + " (" + version::git + ")");
   app.require_subcommand(1);
