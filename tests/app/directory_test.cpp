@@ -54,7 +54,7 @@ TEST_CASE("A finished run is left alone, --overwrite starts it again") {
   CHECK(summary_of(place.path() / "r")["simulated_seconds"].get<double>() == Approx(0.002));
 }
 
-TEST_CASE("--until is reached, whatever the windows, in any unit and beyond the case's duration") {
+TEST_CASE("The time of --until is reached, whatever the windows, in any unit and beyond the case's duration") {
   const Workplace place;
   int k = 0;
   for (const auto& [until, reached] : std::vector<std::pair<std::string, double>>{
@@ -87,7 +87,7 @@ TEST_CASE("A signal ends a run at its window, files closed, exit code 75; the ne
   CHECK(place.gyrosim("run " + box + " --out r --overwrite --until '1 ms'").code == 0);
 }
 
-TEST_CASE("--max-walltime ends a run with exit code 75") {
+TEST_CASE("The end of --max-walltime ends a run with exit code 75") {
   const Workplace place;
   CHECK(place.gyrosim("run " + endless + " --out r --max-walltime '0.5 s'").code == 75);
   CHECK(summary_of(place.path() / "r")["status"] == "interrupted");
