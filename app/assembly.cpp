@@ -122,6 +122,8 @@ Liners liners_of(const CaseCrusher& crusher) {
 }
 
 Assembly assemble(const Case& input) {
+  if (input.output.hdf5)
+    throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; vtp is accepted");
   Assembly out;
   Scene& scene = out.scene;
   scene.materials = input.materials;

@@ -15,6 +15,7 @@ void Ledger::close(double time, const EnergyTerms& after, const Extremes& extrem
   gravity_turnover_ += std::abs(fallen);
   energy_ = after;
   extremes_ = extremes;
+  worst_overlap_ = std::max(worst_overlap_, extremes.overlap_ratio);
   largest_state_ = std::max(largest_state_, after.kinetic + after.contact_elastic + after.bond_elastic);
   check(time);
 }

@@ -9,7 +9,8 @@ namespace gyro {
 
 /// Limits beyond which a run stops instead of going on with numbers that look right.
 struct LedgerLimits {
-  double overlap_ratio = 0.3;     ///< overlap / radius: Hertz's half space is long left
+  /// overlap / radius. Hertz's law is long left at 0.3, where the log warns; near 1 a normal could flip.
+  double overlap_ratio = 0.8;
   double speed_ratio = 0.2;       ///< v dt / R: a sphere could pass a sheet unseen
   double turn = 0.1;              ///< spin x dt [rad]
   double energy_fraction = 0.05;  ///< residual / work done, once the work is more than `energy_floor`
@@ -36,6 +37,7 @@ class Ledger {
 
   const EnergyTerms& energy() const { return energy_; }
   const Extremes& extremes() const { return extremes_; }
+  double worst_overlap() const { return worst_overlap_; }  ///< largest overlap / radius at the end of any window
   double gravity_work() const { return gravity_work_; }  ///< [J]
   /// Residual over the work that walls and gravity have done; 0 before any work.
   double residual_fraction() const;
@@ -46,7 +48,7 @@ class Ledger {
   LedgerLimits limits_;
   EnergyTerms energy_;
   Extremes extremes_;
-  double potential_before_ = 0, gravity_work_ = 0, gravity_turnover_ = 0, largest_state_ = 0;
+  double potential_before_ = 0, gravity_work_ = 0, gravity_turnover_ = 0, largest_state_ = 0, worst_overlap_ = 0;
 };
 
 }  // namespace gyro

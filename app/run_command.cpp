@@ -22,6 +22,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double hertz_overlap = 0.3;  // overlap / radius beyond which forces are Hertz's in name only
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -155,11 +157,22 @@ class Run {
     if (assembly_.gyrating != none) s.mean_crushing_power = output_.mean_crushing_power();
     if (simulation_.product()) product_figures(s);
     if (simulation_.drivetrain()) s.stalled = simulation_.drivetrain()->stalled();
+    s.max_overlap_ratio = simulation_.ledger().worst_overlap();
+    if (*s.max_overlap_ratio > hertz_overlap) warn_of_overlap(*s.max_overlap_ratio);
     write_summary(s, directory_.path);
     for (const auto& [phase, seconds] : simulation_.dem().phase_seconds())
       log_.info("phase " + phase + ": " + std::to_string(seconds) + " s");
     log_.info("status " + to_string(s.status));
     if (!arguments_.quiet) std::cout << to_text(s, directory_.path) << std::flush;
+  }
+
+  void warn_of_overlap(double ratio) {
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "contacts were pressed in by up to %.2f of the radius, far beyond Hertz's small overlaps; "
+                  "a larger materials.rock.shear_modulus is nearer to real rock",
+                  ratio);
+    log_.warning(line);
   }
 
   /// Leaves a word in the directory, if that can still be written.

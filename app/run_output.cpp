@@ -55,6 +55,8 @@ std::vector<Channel> RunOutput::series_channels() const {
     c.push_back({"crushing_power", "W"});
     c.push_back({"mantle_force", "N", 3});
   }
+  if (!has_mantle_)
+    for (const Wall& wall : assembly_.scene.walls) c.push_back({"wall_force_" + wall.name, "N", 3});
   if (has_feed_) c.push_back({"feed_mass", "kg"});
   if (has_product_) {
     c.push_back({"discharged_mass", "kg"});
@@ -107,6 +109,10 @@ void RunOutput::add_means(const WindowResult& result, const Simulation& simulati
   crushing_work_ += result.load.work;
   add("crushing_power", {result.crushing_power});
   add("mantle_force", {result.mantle_force.x, result.mantle_force.y, result.mantle_force.z});
+  for (std::size_t w = 0; w < result.walls.size() && !has_mantle_; ++w) {
+    const Vec3d& f = result.walls[w].force;
+    add("wall_force_" + assembly_.scene.walls[w].name, {f.x, f.y, f.z});
+  }
   if (!simulation.drivetrain()) return;
   const DrivetrainMeans& m = simulation.drivetrain()->means();
   add("motor_speed", {m.motor_speed});

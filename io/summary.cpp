@@ -66,6 +66,7 @@ std::string to_json(const Summary& s) {
                      {"p80", number(s.p80)},
                      {"energy_residual_fraction", number(s.energy_residual_fraction)},
                      {"mass_residual_fraction", number(s.mass_residual_fraction)},
+                     {"max_overlap_ratio", number(s.max_overlap_ratio)},
                      {"stalled", s.stalled}};
   // A title may hold bytes that are no UTF-8; they must not cost the summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -10,7 +10,7 @@ namespace gyro {
 
 enum class RunStatus {
   done,         ///< the whole duration, or --until
-  interrupted,  ///< signal or --max-walltime, with a checkpoint
+  interrupted,  ///< signal or --max-walltime
   stopped,      ///< by a guard or the ledger
   failed        ///< any other error
 };
@@ -38,6 +38,7 @@ struct Summary {
   std::optional<double> mean_crushing_power = {};              ///< [W]
   std::optional<double> energy_residual_fraction = {};         ///< residual / work done by walls and gravity
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
+  std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
   bool stalled = false;
 };
 

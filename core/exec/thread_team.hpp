@@ -8,9 +8,10 @@
 namespace gyro {
 
 /// Threads that wait for short jobs. A step of a small scene is four jobs of some 50 us, so that the wait
-/// between them decides: a thread looks for the next job for about 20 us, then sleeps. OpenMP's barriers
-/// either always sleep (wake-up costs more than the job) or look for milliseconds, which made a run on a
-/// busy machine six times slower with two threads than with one.
+/// between them decides: a thread looks for the next job for about 150 us, longer than a job that is too
+/// small to share, then sleeps. OpenMP's barriers either always sleep (waking up costs more than the job)
+/// or look for milliseconds, which made a run on a busy machine six times slower with two threads than
+/// with one.
 class ThreadTeam {
  public:
   explicit ThreadTeam(int threads) : threads_(threads) {
@@ -40,7 +41,7 @@ class ThreadTeam {
   }
 
  private:
-  static constexpr int patience = 400;  // of about 50 ns each
+  static constexpr int patience = 3000;  // looks of about 50 ns: 150 us
 
   static void pause() {
 #if defined(__x86_64__)
