@@ -36,10 +36,9 @@ Handle access_properties(const std::string& path) {
   return list;
 }
 
-/// Makes missing groups on the way; names are UTF-8.
+/// Names are UTF-8.
 Handle link_properties(const std::string& where) {
   Handle list = own(H5Pcreate(H5P_LINK_CREATE), where, "prepare");
-  check(H5Pset_create_intermediate_group(list.get(), 1), where, "prepare");
   check(H5Pset_char_encoding(list.get(), H5T_CSET_UTF8), where, "prepare");
   return list;
 }
@@ -51,8 +50,20 @@ Handle creation_properties(hid_t what, const std::string& where) {
   return list;
 }
 
+/// Makes the groups on the way that are missing. The library would, too, but with times.
+void make_parents(const Handle& file, const std::string& name, const std::string& where) {
+  for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1)) {
+    const std::string group = name.substr(0, slash);
+    if (H5Lexists(file.get(), group.c_str(), H5P_DEFAULT) > 0) continue;
+    own(H5Gcreate2(file.get(), group.c_str(), link_properties(where).get(),
+                   creation_properties(H5P_GROUP_CREATE, where).get(), H5P_DEFAULT),
+        where, "make the group");
+  }
+}
+
 Handle make_dataset(const Handle& file, const std::string& name, const std::string& where, hid_t type,
                     const Handle& space, const Handle& creation) {
+  make_parents(file, name, where);
   return own(H5Dcreate2(file.get(), name.c_str(), type, space.get(), link_properties(where).get(), creation.get(),
                         H5P_DEFAULT),
              where, "make the dataset");
@@ -106,6 +117,7 @@ std::string File::where(std::string_view name) const {
 
 void File::create_group(std::string_view name) {
   const Handle creation = creation_properties(H5P_GROUP_CREATE, where(name));
+  make_parents(handle_, std::string(name), where(name));
   own(H5Gcreate2(handle_.get(), std::string(name).c_str(), link_properties(where(name)).get(), creation.get(),
                  H5P_DEFAULT),
       where(name), "make the group");

@@ -61,8 +61,8 @@ Survey survey(const std::string& file, double duration) {
 
 }  // namespace
 
-// The level distance to a cone is never less than the distance to it, and the guard lets no contact
-// overlap by more than 0.3 R: a centre less than 0.6 R away from a liner has leaked.
+// The level distance to a cone is never less than the distance to it, and contacts of this rock are pressed
+// in by less than 0.3 R: a centre less than 0.6 R away from a liner has leaked.
 TEST_CASE("Rock that is crushed stays between mantle and concave") {
   const Survey seen = survey(GYRO_APP_CASES "/crush.yaml", 0.06);
   CHECK(seen.seen > 10000);
