@@ -161,7 +161,7 @@ class Cpu {
   }
 
  private:
-  static constexpr Index inline_limit = 500;  // below, waking threads costs more than they save
+  static constexpr Index inline_limit = 128;  // below, waking threads costs more than they save
   static constexpr Index chunk = 1024;
 
   /// Blocks [next, end) that one thread starts with. On a line of its own: threads count at the same time.
