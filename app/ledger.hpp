@@ -38,7 +38,7 @@ class Ledger {
   const EnergyTerms& energy() const { return energy_; }
   const Extremes& extremes() const { return extremes_; }
   double worst_overlap() const { return worst_overlap_; }  ///< largest overlap / radius at the end of any window
-  double gravity_work() const { return gravity_work_; }  ///< [J]
+  double gravity_work() const { return gravity_work_; }    ///< [J]
   /// Residual over the work that walls and gravity have done; 0 before any work.
   double residual_fraction() const;
 

@@ -104,9 +104,9 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
 TEST_CASE("A scene without bonds, feed, crusher and drive has none of their output") {
   const Workplace place;
   const fs::path run = done(place, box + " --until '60 ms'", "r");
-  CHECK(results_in(run, "series") ==
-        std::vector<std::string>{"max_overlap_ratio", "particles", "time", "wall_force_back", "wall_force_floor",
-                                 "wall_force_front", "wall_force_left", "wall_force_right", "wall_seconds"});
+  CHECK(results_in(run, "series") == std::vector<std::string>{"max_overlap_ratio", "particles", "time",
+                                                              "wall_force_back", "wall_force_floor", "wall_force_front",
+                                                              "wall_force_left", "wall_force_right", "wall_seconds"});
   for (const std::string group : {"breakage", "product", "liners"}) CHECK(results_in(run, group).empty());
   const json summary = summary_of(run);
   CHECK(summary["particles"] == 300);
