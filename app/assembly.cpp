@@ -67,6 +67,15 @@ LibraryRecipe recipe_of(const Case& input, const Scene& scene) {
   return recipe;
 }
 
+/// Twice the largest extent of a rock of the start state, by the box around it [m].
+double twice_largest(std::span<const NewRock> rocks) {
+  double largest = 0;
+  for (const NewRock& rock : rocks)
+    for (const NewParticle& p : rock.particles)
+      largest = std::max(largest, norm(p.position - rock.particles.front().position) + 2 * p.radius);
+  return 2 * largest;
+}
+
 double largest_rock(const RockLibrary& library) {
   double largest = 0;
   for (const RockTemplate& rock : library.rocks) largest = std::max(largest, 2 * rock.bounding_radius);
@@ -141,8 +150,9 @@ Assembly assemble(const Case& input) {
     out.library = blaming("rocks", [&] { return make_library(recipe_of(input, scene), default_cache_folder()); });
     out.removal_depth = 2 * largest_rock(out.library);
   }
-  if (input.crusher && input.crusher->removal_depth) out.removal_depth = *input.crusher->removal_depth;
   out.start = blaming("particles", [&] { return start_state(input); });
+  out.removal_depth = std::max(out.removal_depth, twice_largest(out.start));
+  if (input.crusher && input.crusher->removal_depth) out.removal_depth = *input.crusher->removal_depth;
   out.step = choose_step(input, scene, out.library, out.start);
   scene.dt = out.step.dt;
   if (input.feed) out.feed = blaming("feed", [&] { return feed_plan(input, out); });

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/ledger.hpp"
 
-#include "core/base/errors.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace gyro {
 
-void Ledger::close(double time, const EnergyTerms& after, const Extremes& extremes) {
+std::optional<std::string> Ledger::close(double time, const EnergyTerms& after, const Extremes& extremes) {
   const double fallen = potential_before_ - after.potential;
   gravity_work_ += fallen;
   gravity_turnover_ += std::abs(fallen);
@@ -17,7 +15,7 @@ void Ledger::close(double time, const EnergyTerms& after, const Extremes& extrem
   extremes_ = extremes;
   worst_overlap_ = std::max(worst_overlap_, extremes.overlap_ratio);
   largest_state_ = std::max(largest_state_, after.kinetic + after.contact_elastic + after.bond_elastic);
-  check(time);
+  return verdict(time);
 }
 
 double Ledger::residual_fraction() const {
@@ -25,7 +23,7 @@ double Ledger::residual_fraction() const {
   return work > 0 ? energy_.residual() / work : 0;
 }
 
-void Ledger::check(double time) const {
+std::optional<std::string> Ledger::verdict(double time) const {
   std::ostringstream why;
   why.precision(4);
   const auto id = extremes_.culprit;
@@ -41,12 +39,14 @@ void Ledger::check(double time) const {
     why << "a particle turns by " << extremes_.turn << " rad in a step; at most " << limits_.turn;
   } else {
     const double work = std::abs(energy_.wall_work) + gravity_turnover_;
-    const bool enough = work > limits_.energy_floor * largest_state_ && work > 0;
-    if (!enough || !(std::abs(residual_fraction()) > limits_.energy_fraction)) return;
+    const bool little = work <= limits_.energy_floor * largest_state_ || work == 0;
+    // A balance that is not a number must not pass for one that is small.
+    if (std::isfinite(energy_.residual()) && (little || std::abs(residual_fraction()) <= limits_.energy_fraction))
+      return {};
     why << "the energy balance is off by " << energy_.residual() << " J, " << 100 * residual_fraction()
         << " % of the work done; at most " << 100 * limits_.energy_fraction << " %";
   }
-  throw StoppedByGuard("stopped at t = " + std::to_string(time) + " s: " + why.str());
+  return "stopped at t = " + std::to_string(time) + " s: " + why.str();
 }
 
 }  // namespace gyro

@@ -4,6 +4,8 @@
 #include "core/dem/dem.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace gyro {
 
@@ -32,8 +34,8 @@ class Ledger {
   /// DEM alone.
   void open(const EnergyTerms& before) { potential_before_ = before.potential; }
   /// Closes the window that ends at `time`.
-  /// @throws StoppedByGuard with the reason and the id of the particle
-  void close(double time, const EnergyTerms& after, const Extremes& extremes);
+  /// @return why the run must not go on, with the id of the particle; nothing while all is well
+  std::optional<std::string> close(double time, const EnergyTerms& after, const Extremes& extremes);
 
   const EnergyTerms& energy() const { return energy_; }
   const Extremes& extremes() const { return extremes_; }
@@ -43,7 +45,7 @@ class Ledger {
   double residual_fraction() const;
 
  private:
-  void check(double time) const;
+  std::optional<std::string> verdict(double time) const;
 
   LedgerLimits limits_;
   EnergyTerms energy_;

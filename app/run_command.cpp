@@ -89,6 +89,7 @@ class Run {
     const double rounding = 1e-6 * assembly_.step.per_window * assembly_.step.dt;
     while (simulation_.time() < end() - rounding) {
       output_.take(simulation_.advance(), simulation_);
+      simulation_.require_sound();
       progress.update(progress_state());
       const bool late = arguments_.max_walltime && seconds_since(start_) > *arguments_.max_walltime;
       if (stop_request() == StopRequest::keep_going && !late) continue;

@@ -18,6 +18,11 @@ std::vector<Channel> ledger_channels() {
   return channels;
 }
 
+/// What the run itself took: everything that two equal runs may differ in.
+std::vector<Channel> performance_channels() {
+  return {{"time", "s"}, {"wall_seconds", "s"}, {"particle_steps", "1"}, {"bond_steps", "1"}, {"list_rebuilds", "1"}};
+}
+
 PosedWall posed(const WallPicture& picture, const WallPose& pose) {
   PosedWall out{picture.mesh, picture.wall};
   for (Vec3d& v : out.mesh.vertices) v = to_world(pose, v);
@@ -77,6 +82,7 @@ ResultsContent RunOutput::content(const CaseRecord& record) const {
   content.record = record;
   content.series = series_channels();
   content.ledger = ledger_channels();
+  content.performance = performance_channels();
   content.breakage = has_bonds_;
   if (has_product_) content.product_sizes = sieve_series();
   return content;
@@ -93,7 +99,7 @@ void RunOutput::begin(const Simulation& simulation) {
 void RunOutput::take(const WindowResult& result, Simulation& simulation) {
   add_means(result, simulation);
   time_ = simulation.time();
-  if (due(input_.output.series, rows_ + 1, time_)) write_row(simulation);
+  if (simulation.verdict() || due(input_.output.series, rows_ + 1, time_)) write_row(simulation);
   if (due(input_.output.snapshots, frames_, time_)) write_snapshot(simulation);
 }
 
@@ -124,7 +130,7 @@ void RunOutput::add_means(const WindowResult& result, const Simulation& simulati
 }
 
 void RunOutput::write_row(Simulation& simulation) {
-  simulation.inspect();
+  if (simulation.dem().extremes().finite) simulation.inspect();  // what is nowhere is no product
   std::map<std::string, double> now;
   const Counts counts = simulation.dem().counts();
   now["time"] = simulation.time();
@@ -158,6 +164,9 @@ void RunOutput::write_row(Simulation& simulation) {
   }
   results_.append_series(row);
   write_ledger(simulation);
+  results_.append_performance(
+      std::vector<double>{now["time"], now["wall_seconds"], static_cast<double>(counts.particle_steps),
+                          static_cast<double>(counts.bond_steps), static_cast<double>(counts.rebuilds)});
   results_.append_breakages(has_bonds_ ? simulation.dem().take_breakages() : std::vector<Breakage>{});
   if (simulation.product())
     results_.append_product(simulation.time(), simulation.product()->row(simulation.time()).passing);

@@ -2,6 +2,7 @@
 #include "app/simulation.hpp"
 
 #include "app/bad_key.hpp"
+#include "core/base/errors.hpp"
 #include "core/walls/motion.hpp"
 
 namespace gyro {
@@ -31,9 +32,9 @@ WindowResult Simulation::advance() {
     result.mantle_force = result.walls[static_cast<std::size_t>(assembly_.gyrating)].force;
     result.crushing_power = result.load.work / result.window.length();
   }
-  if (drivetrain_) drivetrain_->advance(result.window, result.load);  // 3. the drivetrain catches up
-  ledger_.close(time(), dem_->energy(), dem_->extremes());            // 4. energy must balance
-  feed_rock();                                                        // 5. rock comes
+  if (drivetrain_) drivetrain_->advance(result.window, result.load);   // 3. the drivetrain catches up
+  verdict_ = ledger_.close(time(), dem_->energy(), dem_->extremes());  // 4. energy must balance
+  if (!verdict_) feed_rock();                                          // 5. rock comes
   return result;
 }
 
@@ -53,6 +54,10 @@ MantleLoad Simulation::mantle_load(const std::vector<WallLoad>& walls, const Man
     load.resisting_torque -= dot(moment, Vec3d{0, 0, 1} - u.z * u);
   }
   return load;
+}
+
+void Simulation::require_sound() const {
+  if (verdict_) throw StoppedByGuard(*verdict_);
 }
 
 void Simulation::put_in(std::span<const NewRock> rocks) {

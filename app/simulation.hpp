@@ -31,8 +31,12 @@ class Simulation {
   /// @throws BadKey for a start state or a feed that cannot be had
   Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem);
 
-  /// Advances by one window. @throws StoppedByGuard
+  /// Advances by one window. Ask for the verdict before the next one.
   WindowResult advance();
+  /// Why the last window must be the last; nothing while all is well.
+  const std::optional<std::string>& verdict() const { return verdict_; }
+  /// @throws StoppedByGuard with the verdict, if there is one
+  void require_sound() const;
 
   /// Looks at the fragments: counts what has passed the discharge plane, takes out what has left.
   /// Called once per row of the series.
@@ -64,6 +68,7 @@ class Simulation {
   std::optional<Feed> feed_;
   std::optional<Product> product_;
   Ledger ledger_;
+  std::optional<std::string> verdict_;
   std::int64_t step_ = 0;
   std::int64_t particles_put_in_ = 0, bonds_put_in_ = 0, fragments_ = 0;
   double start_mass_ = 0;

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double largest_id = 4294967294.0;    // ParticleId is 32 bits wide
+constexpr double largest_id = 2147483647.0;    // half of what 32 bits hold: the feed numbers on from here
 constexpr double largest_rock = 2147483647.0;  // RockId too, with a sign
 
 bool is_whole(double x, double largest) {
@@ -31,7 +31,7 @@ std::vector<ReadParticle> rows_of(const fs::path& file, const CsvTable& table, C
     const std::vector<double>& row = table.rows[k];
     const int line = table.lines[k];
     if (!is_whole(row[0], largest_id))
-      problems.add_in_file(file, line, 1, "the id is no whole number; 0 to 4294967294 is accepted");
+      problems.add_in_file(file, line, 1, "the id is no whole number; 0 to 2147483647 is accepted");
     if (!(row[4] > 0)) problems.add_in_file(file, line, 1, "the radius is not positive; more than 0 m is accepted");
     if (rock >= 0 && !is_whole(row[static_cast<std::size_t>(rock)], largest_rock))
       problems.add_in_file(file, line, 1, "the rock is no whole number; 0 to 2147483647 is accepted");

@@ -70,13 +70,14 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::prime() {
   primed_ = true;
   rebuild_lists();
+  booked_.exchanged += bond_sums().elastic;  // before any bond fails
   if (has_bonds()) bond_forces(0);
   pair_forces();
   wall_forces();
   gather(false);
   book_walls();
   wall_sums_.assign(wall_sums_.size(), WallSum{});  // no time has passed: nothing was done
-  booked_.exchanged += contact_sums().elastic + bond_sums().elastic;
+  booked_.exchanged += contact_sums().elastic;
 }
 
 /// Poses of all walls for each step of the window, so that nothing is asked of the host inside it.

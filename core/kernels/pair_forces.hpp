@@ -22,7 +22,8 @@ struct PairForces {
     const Vec3d span = b.x - a.x;
     const double sum = a.radius + b.radius, distance2 = norm2(span);
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_gone;
-    if (!(distance2 < sum * sum) || bonded) {  // what is not finite stays alone: the guard names it
+    const double distance = distance2 < sum * sum ? ::sqrt(distance2) : sum;
+    if (!(distance < sum) || bonded) {  // what is not finite stays alone: the guard names it
       if (pairs.touching[n]) {
         pairs.touching[n] = 0;
         pairs.memory[n] = {};
@@ -30,7 +31,7 @@ struct PairForces {
       return;
     }
     pairs.touching[n] = 1;
-    evaluate(n, pair, a, b, span, ::sqrt(distance2));
+    evaluate(n, pair, a, b, span, distance);
   }
 
  private:

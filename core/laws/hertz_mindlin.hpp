@@ -45,7 +45,7 @@ GYRO_HD T contact_energy(const ContactLaw<T>& law, T radius, T overlap, const Ve
   using std::sqrt;
   const T root = sqrt(radius * overlap);
   const T stiff_t = T(8) * law.shear * root;
-  return T(8.0 / 15.0) * law.youngs * root * overlap * overlap + norm2(elastic) / (stiff_t + stiff_t);
+  return T(8.0 / 15.0) * law.youngs * root * overlap * overlap + norm2(elastic) / larger(stiff_t + stiff_t, T(1e-30));
 }
 
 /// Hertz–Mindlin contact with damping, Coulomb friction and rolling resistance.
@@ -105,7 +105,7 @@ GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMoti
   // Work into the tangential spring less what it stores is friction.
   const T root_before = sqrt(c.radius * overlap_before);
   const T stored_before = size_before * size_before / larger(T(16) * law.shear * root_before, tiny);
-  const T stored = norm2(out.elastic) / (stiff_t + stiff_t);
+  const T stored = norm2(out.elastic) / larger(stiff_t + stiff_t, tiny);
   out.slipped = T(-0.5) * law.dt * dot(laid + out.elastic, slide) - (stored - stored_before);
 
   // Rolling.

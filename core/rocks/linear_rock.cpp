@@ -23,12 +23,14 @@ struct BondSprings {
   SpringDamper normal, shear, twist, bending;
 };
 
-BondSprings bond_springs(const BondParameters& p, double b, double reduced_mass, double reduced_inertia) {
-  const double area = std::numbers::pi * b * b, quartic = area * b * b;
+BondSprings bond_springs(const BondParameters& p, const TemplateBond& bond, double reduced_mass,
+                         double reduced_inertia) {
+  const double b = bond.radius, area = std::numbers::pi * b * b, quartic = area * b * b;
+  const double kn = p.normal_stiffness + p.normal_modulus / bond.length;
+  const double ks = p.shear_stiffness + p.shear_modulus / bond.length;
   const auto damped = [&](double k, double m) { return SpringDamper{k, 2 * p.damping * std::sqrt(k * m)}; };
-  return {damped(p.normal_stiffness * area, reduced_mass), damped(p.shear_stiffness * area, reduced_mass),
-          damped(p.shear_stiffness * quartic / 2, reduced_inertia),
-          damped(p.normal_stiffness * quartic / 4, reduced_inertia)};
+  return {damped(kn * area, reduced_mass), damped(ks * area, reduced_mass), damped(ks * quartic / 2, reduced_inertia),
+          damped(kn * quartic / 4, reduced_inertia)};
 }
 
 Row12 row(const Vec3d& xi, const Vec3d& turn_i, const Vec3d& xj, const Vec3d& turn_j) {
@@ -99,7 +101,7 @@ LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, cons
   for (const TemplateBond& bond : rock.bonds) {
     const Index i = bond.i, j = bond.j;
     const auto reduced = [&](const std::vector<double>& m) { return m[i] * m[j] / (m[i] + m[j]); };
-    const Element e = bond_element(rock, bond, bond_springs(bonds, bond.radius, reduced(mass), reduced(inertia)));
+    const Element e = bond_element(rock, bond, bond_springs(bonds, bond, reduced(mass), reduced(inertia)));
     const auto place = [&](int k) { return k < 6 ? 6 * i + k : 6 * j + k - 6; };
     for (int a = 0; a < 12; ++a) {
       for (int b = 0; b < 12; ++b) {

@@ -67,6 +67,17 @@ TEST_CASE("A pair that only stretches has the textbook limit") {
         Approx(2 * r * std::sqrt(2 * rho * r / (3 * kn)) / b).epsilon(1e-4));
 }
 
+TEST_CASE("Stiffness per area and from a modulus give the same limit where they are the same stiffness") {
+  const RockTemplate rock = pair(0.01, 0.005);
+  const BondParameters per_area = bonds_with(0.05);
+  BondParameters from_modulus = per_area;
+  from_modulus.normal_stiffness = from_modulus.shear_stiffness = 0;
+  from_modulus.normal_modulus = kn * rock.bonds[0].length;
+  from_modulus.shear_modulus = ks * rock.bonds[0].length;
+  CHECK(critical_step(rock, from_modulus, no_bed) == Approx(critical_step(rock, per_area, no_bed)).epsilon(1e-6));
+  CHECK(gershgorin_step(rock, from_modulus, no_bed) == Approx(gershgorin_step(rock, per_area, no_bed)).epsilon(1e-12));
+}
+
 TEST_CASE("Shear with its arms lowers the pair's limit by 15 %") {
   const double r = 0.0125, b = 0.005, mass = 4 * std::numbers::pi / 3 * rho * r * r * r;
   const double area = std::numbers::pi * b * b;

@@ -115,3 +115,18 @@ TEST_CASE("What is not finite is named and stays alone", "[dem][edge]") {
   for (std::size_t k = 0; k < s.size(); ++k)
     if (k != 37) CHECK(std::isfinite(norm2(s.position[k]) + norm2(s.velocity[k]) + norm2(s.spin[k])));
 }
+
+TEST_CASE("Spheres that touch to the last bit have no overlap and no energy", "[dem][edge]") {
+  // (3, 4, 5): the squared distance rounds below the squared sum of the radii, the distance does not.
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  Scene scene = plain_scene(1e-6);
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  const std::vector<NewRock> two{sphere(0, {0, 0, 0}, {0, 0, 0}, 0.005, 2600),
+                                 sphere(1, {0.006, 0.008, 0}, {0, 0, 0}, 0.005, 2600)};
+  dem->insert(two);
+  std::int64_t step = 0;
+  run(*dem, scene.dt, step, 10);
+  CHECK(dem->energy().residual() == 0);
+  CHECK(dem->energy().friction == 0);
+  CHECK(norm(dem->particles().velocity[0]) == 0);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the guard stops, and what it lets pass.
+#include "app/ledger.hpp"
+#include "tests/catch.hpp"
+
+#include <limits>
+
+using namespace gyro;
+
+namespace {
+
+/// A window in which gravity did 1 J of work, all of it now kinetic, and `missing` J are not accounted for.
+std::optional<std::string> verdict(double missing, Extremes extremes = {}) {
+  Ledger ledger;
+  EnergyTerms before, after;
+  before.potential = before.exchanged = 1;
+  ledger.open(before);
+  after.exchanged = 1;
+  after.kinetic = 1 + missing;
+  return ledger.close(0.001, after, extremes);
+}
+
+}  // namespace
+
+TEST_CASE("The guard lets a balance pass that closes") {
+  CHECK_FALSE(verdict(0));
+  CHECK_FALSE(verdict(0.04));
+  CHECK_FALSE(verdict(-0.04));
+}
+
+TEST_CASE("The guard stops a balance that does not close or is not a number") {
+  CHECK(verdict(0.06));
+  CHECK(verdict(-0.06));
+  CHECK(verdict(std::numeric_limits<double>::quiet_NaN()));
+}
+
+TEST_CASE("The guard names the particle and the limit") {
+  Extremes deep;
+  deep.culprit = 17;
+  deep.overlap_ratio = 0.9;
+  const std::optional<std::string> why = verdict(0, deep);
+  REQUIRE(why);
+  CHECK(why->find("particle 17") != std::string::npos);
+  CHECK(why->find("at most 0.8") != std::string::npos);
+  Extremes lost;
+  lost.finite = false;
+  CHECK(verdict(0, lost)->find("not finite") != std::string::npos);
+  Extremes fast;
+  fast.speed_ratio = 0.3;
+  CHECK(verdict(0, fast));
+  Extremes spinning;
+  spinning.turn = 0.2;
+  CHECK(verdict(0, spinning));
+}
