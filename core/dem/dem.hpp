@@ -61,7 +61,7 @@ enum class BreakMode : std::uint8_t { tension = 1, shear = 2 };
 struct Breakage {
   double time;
   BreakMode mode;
-  Vec3d position;
+  Vec3d position;  ///< of its middle at the end of the window in which it broke [m]
   RockId rock;
   ParticleId i, j;
   double energy;  ///< elastic energy that the bond released [J]
@@ -88,7 +88,7 @@ struct EnergyTerms {
   }
 };
 
-/// Extremes of the last window, for the guard.
+/// Extremes at the end of the last window, for the guard: what peaks inside it is not seen.
 struct Extremes {
   bool finite = true;
   ParticleId culprit = 0;    ///< of the largest overlap, or the first that is not finite
@@ -122,7 +122,7 @@ class Dem {
 
   virtual std::vector<WallLoad> wall_loads() const = 0;  ///< of the last window, one per wall
   virtual EnergyTerms energy() const = 0;                ///< now
-  virtual Extremes extremes() const = 0;                 ///< of the last window
+  virtual Extremes extremes() const = 0;                 ///< now
   virtual Counts counts() const = 0;
   virtual Vec3d momentum() const = 0;                  ///< [kg m/s]
   virtual ParticleSnapshot particles() const = 0;      ///< now, fragments labelled

@@ -15,7 +15,7 @@ enum BondState : std::int32_t {
 };
 
 /// Columns of the bonds. Real is the number type of the loads. A bond holds no history: 60 bytes in
-/// mixed precision, 4 of which are ever written (the state; the axis when an unglued bond slips).
+/// mixed precision, 4 of which are ever written while it is glued (the state); an unglued bond also stores its axis.
 template <template <class> class Column, class Real>
 struct Bonds {
   Column<Index> i, j;  ///< particles, id of i < id of j
