@@ -39,12 +39,19 @@ struct RunArguments {
   std::optional<double> until, max_walltime;  ///< [s]
 };
 
+struct VerifyArguments {
+  std::string filter;    ///< regular expression searched in the names of checks; empty: all
+  bool nightly = false;  ///< the long cases as well
+  bool json = false;
+};
+
 /// Each command returns an exit code; bad input and failures come as exceptions of core/base/errors.hpp.
 int run_command(const RunArguments& arguments);
 int check_command(const CaseArguments& arguments);
 int describe_command(const std::string& key, bool json_schema);
 int liners_command(const CaseArguments& arguments, const std::filesystem::path& out);
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
+int verify_command(const VerifyArguments& arguments);
 int init_command(const std::string& name);
 int info_command(bool json);
 

@@ -127,6 +127,13 @@ int main(int argc, char** argv) {
   c->add_flag("--json", liners.json, "one JSON document on standard output");
   c->callback([&] { chosen = [&] { return liners_command(liners, liners_out); }; });
 
+  VerifyArguments verify;
+  c = app.add_subcommand("verify", "hold the engine against theory, one line a check");
+  c->add_option("--filter", verify.filter, "regular expression searched in group/case/quantity");
+  c->add_flag("--nightly", verify.nightly, "the long cases as well");
+  c->add_flag("--json", verify.json, "one JSON document on standard output");
+  c->callback([&] { chosen = [&] { return verify_command(verify); }; });
+
   std::string name = "quickstart";
   c = app.add_subcommand("init", "print a commented case to start from");
   c->add_option("--template", name, "quickstart, primary or compression");

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/verify/check.hpp"
+
+#include <cmath>
+
+namespace gyro::verify {
+
+void Recorder::record(const std::string& quantity, double measured, double reference, double error, double tolerance,
+                      const std::string& source) {
+  checks_.push_back({case_ + "/" + quantity, loads_ == Loads::single ? "mixed" : "double", measured, reference, error,
+                     tolerance, source});
+}
+
+void Recorder::relative(const std::string& quantity, double measured, double reference, Tolerance tolerance,
+                        const std::string& source) {
+  record(quantity, measured, reference, std::abs(measured / reference - 1),
+         loads_ == Loads::single ? tolerance.in_mixed : tolerance.in_double, source);
+}
+
+void Recorder::absolute(const std::string& quantity, double measured, double reference, Tolerance tolerance,
+                        const std::string& source) {
+  record(quantity, measured, reference, std::abs(measured - reference),
+         loads_ == Loads::single ? tolerance.in_mixed : tolerance.in_double, source);
+}
+
+void Recorder::within(const std::string& quantity, double measured, double low, double high,
+                      const std::string& source) {
+  const double middle = 0.5 * (low + high);
+  record(quantity, measured, middle, std::abs(measured - middle), 0.5 * (high - low), source);
+}
+
+std::vector<Case> all_cases() {
+  std::vector<Case> all;
+  for (const std::span<const Case> group : {hertz_cases(), restitution_cases()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
+std::vector<Check> run(const Case& verification) {
+  std::vector<Check> checks;
+  const auto in = [&](Loads loads) {
+    Recorder recorder(verification.name, loads);
+    verification.run(recorder);
+    checks.insert(checks.end(), recorder.checks().begin(), recorder.checks().end());
+  };
+  in(Loads::double_);
+  if (verification.precisions == Case::Precisions::both) in(Loads::single);
+  return checks;
+}
+
+}  // namespace gyro::verify

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/make_dem.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gyro::verify {
+
+/// One line of `gyrosim verify`: a number that the engine gave beside the number of theory.
+struct Check {
+  std::string name;  ///< group/case/quantity, lower case
+  std::string precision;
+  double measured = 0, reference = 0;
+  double error = 0;      ///< |measured - reference|, over |reference| where the check is relative
+  double tolerance = 0;  ///< of the error
+  std::string source;    ///< of the reference
+  bool pass() const { return error <= tolerance; }  // not a number passes nothing
+};
+
+/// Tolerances of a quantity in the two precisions.
+struct Tolerance {
+  double in_double, in_mixed;
+};
+
+/// Takes up the checks of one case in one precision.
+class Recorder {
+ public:
+  Recorder(std::string case_name, Loads loads) : case_(std::move(case_name)), loads_(loads) {}
+
+  Loads loads() const { return loads_; }
+
+  /// |measured/reference - 1| <= tolerance.
+  void relative(const std::string& quantity, double measured, double reference, Tolerance tolerance,
+                const std::string& source);
+  /// |measured - reference| <= tolerance, in the quantity's own unit.
+  void absolute(const std::string& quantity, double measured, double reference, Tolerance tolerance,
+                const std::string& source);
+  /// measured lies in [low, high]; the reference is the middle.
+  void within(const std::string& quantity, double measured, double low, double high, const std::string& source);
+
+  const std::vector<Check>& checks() const { return checks_; }
+
+ private:
+  void record(const std::string& quantity, double measured, double reference, double error, double tolerance,
+              const std::string& source);
+
+  std::string case_;
+  Loads loads_;
+  std::vector<Check> checks_;
+};
+
+/// A set-up whose answer is known: it runs the engine that runs crushers and records what came out.
+struct Case {
+  enum class When { always, nightly };
+  enum class Precisions { both, one };  ///< one: nothing in it depends on the type of the loads
+
+  std::string name;  ///< group/case
+  void (*run)(Recorder&);
+  Precisions precisions = Precisions::both;
+  When when = When::always;
+};
+
+// One function a group, in the file of its name.
+std::span<const Case> hertz_cases();
+std::span<const Case> restitution_cases();
+
+/// All cases in the order of the groups.
+std::vector<Case> all_cases();
+
+/// Runs a case in the precisions that it has.
+std::vector<Check> run(const Case& verification);
+
+}  // namespace gyro::verify

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elastic normal impacts: tests 1 and 2 of Chung & Ooi, Granular Matter 13 (2011) 643.
+#include "app/verify/check.hpp"
+#include "app/verify/impact.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace gyro::verify {
+namespace {
+
+const std::string source = "Chung & Ooi (2011); Johnson (1985), ch. 11";
+
+void compare(Recorder& out, const ImpactResult& got, const ElasticImpact& theory, double rebound) {
+  out.relative("force", got.force, theory.force, {1e-3, 1e-3}, source);
+  out.relative("overlap", got.overlap, theory.overlap, {1e-3, 1e-3}, source);
+  out.relative("duration", got.duration, theory.duration, {3e-3, 3e-3}, source);
+  out.relative("rebound", rebound, 1, {1e-4, 1e-4}, source);
+}
+
+void two_spheres(Recorder& out, const Material& material) {
+  const double radius = 0.01, speed = 10;
+  const ImpactResult got = meet(material, {0, 1, 0}, radius, speed, 1000, out.loads());
+  compare(out, got, {youngs_of_pair(material), radius / 2, sphere_mass(radius, material.density) / 2, 2 * speed},
+          -got.velocity.x / speed);
+}
+
+void on_wall(Recorder& out, const Material& material) {
+  const double radius = 0.1, speed = 0.2;
+  WallImpact impact{material, {0, 1, 0}, radius, {0, 0, -speed}};
+  const ImpactResult plane = hit_wall(impact, out.loads());
+  compare(out, plane, {youngs_against_rigid(material), radius, sphere_mass(radius, material.density), speed},
+          plane.velocity.z / speed);
+  impact.mesh = true;
+  const ImpactResult mesh = hit_wall(impact, out.loads());
+  out.relative("force-on-triangle", mesh.force, plane.force, {1e-12, 1e-12}, "the same impact on a plane");
+  out.relative("rebound-from-triangle", mesh.velocity.z, plane.velocity.z, {1e-12, 1e-12},
+               "the same impact on a plane");
+}
+
+const std::array<Case, 4> cases{{
+    {"hertz/glass", [](Recorder& out) { two_spheres(out, elastic(48e9, 0.20, 2800)); }},
+    {"hertz/limestone", [](Recorder& out) { two_spheres(out, elastic(20e9, 0.25, 2500)); }},
+    {"hertz/aluminium-on-wall", [](Recorder& out) { on_wall(out, elastic(70e9, 0.30, 2699)); }},
+    {"hertz/magnesium-on-wall", [](Recorder& out) { on_wall(out, elastic(40e9, 0.35, 1800)); }},
+}};
+
+}  // namespace
+
+std::span<const Case> hertz_cases() {
+  return cases;
+}
+
+}  // namespace gyro::verify

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/verify/scenes.hpp"
+
+namespace gyro::verify {
+
+/// An elastic normal impact in closed form (Johnson, Contact Mechanics 1985, ch. 11): the largest
+/// overlap [15 m* v^2/(16 E* sqrt(R*))]^(2/5), the duration 2.943275 overlap/v.
+struct ElasticImpact {
+  double overlap, force, duration;  ///< [m], [N], [s]
+  /// @param youngs  E* [Pa]  @param radius  R* [m]  @param mass  m* [kg]  @param speed  of approach [m/s]
+  ElasticImpact(double youngs, double radius, double mass, double speed);
+};
+
+/// What an impact left behind, and its peaks.
+struct ImpactResult {
+  Vec3d velocity, spin;  ///< of the first sphere after it [m/s], [rad/s]
+  double force = 0;      ///< largest on the first sphere [N]
+  double overlap = 0;    ///< largest [m]
+  double duration = 0;   ///< from the first to the last step with a contact force [s]
+};
+
+/// A sphere that hits a wall.
+struct WallImpact {
+  Material material;
+  PairProperties pair;
+  double radius;
+  Vec3d velocity, spin{0, 0, 0};    ///< the wall lies at z = 0, its normal is z
+  double steps_per_contact = 1000;  ///< duration of the elastic impact / dt
+  bool mesh = false;                ///< a triangle instead of a plane
+};
+ImpactResult hit_wall(const WallImpact& impact, Loads loads);
+
+/// Two equal spheres that meet head on, each with the speed given.
+ImpactResult meet(const Material& material, const PairProperties& pair, double radius, double speed,
+                  double steps_per_contact, Loads loads);
+
+}  // namespace gyro::verify

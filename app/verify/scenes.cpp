@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/verify/scenes.hpp"
+
+namespace gyro::verify {
+
+Material elastic(double youngs, double poisson_ratio, double density) {
+  return {"rock", density, youngs / (2 * (1 + poisson_ratio)), poisson_ratio};
+}
+
+Material rigid() {
+  return {"rigid", 1, 1e25, 0.3};
+}
+
+double youngs_against_rigid(const Material& m) {
+  return 2 * m.shear_modulus / (1 - m.poisson_ratio);  // E/(1 - nu^2)
+}
+
+double youngs_of_pair(const Material& m) {
+  return 0.5 * youngs_against_rigid(m);
+}
+
+double sphere_mass(double radius, double density) {
+  return density * 4.0 / 3 * pi * radius * radius * radius;
+}
+
+Scene scene_of(const Material& rock, const Material& wall, const PairProperties& pair, double dt) {
+  Scene scene;
+  scene.materials = {rock, wall};
+  scene.pairs.assign(4, pair);
+  scene.rolling = pair.rolling_friction > 0;
+  scene.gravity = {0, 0, 0};
+  scene.dt = dt;
+  return scene;
+}
+
+NewRock sphere(ParticleId id, Vec3d position, Vec3d velocity, double radius, double density, Vec3d spin) {
+  NewRock rock;
+  rock.id = none;
+  rock.particles.push_back({id, position, velocity, spin, radius, density});
+  return rock;
+}
+
+}  // namespace gyro::verify
