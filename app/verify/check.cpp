@@ -30,9 +30,16 @@ void Recorder::within(const std::string& quantity, double measured, double low, 
 }
 
 std::vector<Case> all_cases() {
+  using Group = std::span<const Case> (*)();
+  constexpr Group groups[] = {
+      hertz_cases,
+      restitution_cases,
+  };
   std::vector<Case> all;
-  for (const std::span<const Case> group : {hertz_cases(), restitution_cases()})
-    all.insert(all.end(), group.begin(), group.end());
+  for (const Group group : groups) {
+    const std::span<const Case> cases = group();
+    all.insert(all.end(), cases.begin(), cases.end());
+  }
   return all;
 }
 

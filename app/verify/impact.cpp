@@ -7,21 +7,24 @@
 namespace gyro::verify {
 namespace {
 
-/// Runs until the contact of the first sphere is over. @param overlap  of the scene as it is now [m]
+/// Runs until the contact of the first sphere is over. The bodies just touch at the start.
+/// @param overlap  of the scene as it is now [m]
 ImpactResult watch(Stage& stage, const std::function<double(const ParticleSnapshot&)>& overlap, double longest) {
   ImpactResult out;
-  double begin = -1;
+  double before = 0;
   for (const double end = stage.time() + longest; stage.time() < end;) {
     stage.advance(1);
     const ParticleSnapshot now = stage.dem().particles();
-    const double force = norm(now.force[0]);
+    const double deep = overlap(now);
     out.velocity = now.velocity[0];
     out.spin = now.spin[0];
-    if (begin < 0 && force > 0) begin = stage.time();
-    if (begin >= 0 && force == 0 && overlap(now) <= 0) break;
-    out.force = std::max(out.force, force);
-    out.overlap = std::max(out.overlap, overlap(now));
-    if (begin >= 0) out.duration = stage.time() - begin;
+    if (deep <= 0) {
+      out.duration = stage.time() + stage.dt() * deep / (before - deep);
+      break;
+    }
+    before = deep;
+    out.force = std::max(out.force, norm(now.force[0]));
+    out.overlap = std::max(out.overlap, deep);
   }
   return out;
 }
@@ -49,6 +52,23 @@ ImpactResult hit_wall(const WallImpact& impact, Loads loads) {
   stage.insert({sphere(0, {0, 0, impact.radius}, impact.velocity, impact.radius, m.density, impact.spin)});
   return watch(
       stage, [&](const ParticleSnapshot& s) { return s.radius[0] - s.position[0].z; }, 10 * elastic_one.duration);
+}
+
+ObliqueResult hit_obliquely(const ObliqueImpact& impact, Loads loads) {
+  const Vec3d along{std::cos(0.5), std::sin(0.5), 0}, axis{-along.y, along.x, 0};
+  WallImpact in_space{impact.material, impact.pair, impact.radius, impact.slide * along, impact.spin * axis};
+  in_space.velocity.z = -impact.fall;
+  in_space.steps_per_contact = 2000;
+  const ImpactResult got = hit_wall(in_space, loads);
+  const Vec3d strange = got.spin - dot(got.spin, axis) * axis;
+  return {dot(got.velocity, along), got.velocity.z, dot(got.spin, axis),
+          std::abs(dot(got.velocity, axis)) + impact.radius * norm(strange)};
+}
+
+double mean_lever(const ObliqueImpact& impact) {
+  const ElasticImpact peak(youngs_against_rigid(impact.material), impact.radius,
+                           sphere_mass(impact.radius, impact.material.density), impact.fall);
+  return 1 - 0.5 * std::beta(1.4, 0.5) * peak.overlap / impact.radius;
 }
 
 ImpactResult meet(const Material& material, const PairProperties& pair, double radius, double speed,
