@@ -155,6 +155,7 @@ Assembly assemble(const Case& input) {
   if (input.crusher && input.crusher->removal_depth) out.removal_depth = *input.crusher->removal_depth;
   out.step = choose_step(input, scene, out.library, out.start);
   scene.dt = out.step.dt;
+  scene.hold = input.numerics.substeps;
   if (input.feed) out.feed = blaming("feed", [&] { return feed_plan(input, out); });
   return out;
 }

@@ -65,9 +65,15 @@ struct Limit {
   }
 };
 
-Limit stability_limit(const Scene& scene, const RockLibrary& library, std::span<const NewRock> start) {
+struct Limits {
+  Limit least;
+  double contacts = std::numeric_limits<double>::infinity();  ///< of the smallest loose particle [s]
+};
+
+Limits stability_limits(const Scene& scene, const RockLibrary& library, std::span<const NewRock> start) {
   const BedContacts bed = bed_contacts(scene);
-  Limit limit;
+  Limits limits;
+  Limit& limit = limits.least;
   double smallest = 1e300, density = 0;
   const auto see_particle = [&](double radius, double rho) {
     if (radius * std::sqrt(rho) < smallest * std::sqrt(density > 0 ? density : rho)) {
@@ -89,16 +95,29 @@ Limit stability_limit(const Scene& scene, const RockLibrary& library, std::span<
   if (density > 0) {
     std::ostringstream what;
     what << "contacts of particles of radius " << smallest * 1e3 << " mm";
-    limit.consider(loose_critical_step(smallest, density, bed), what.str());
+    limits.contacts = loose_critical_step(smallest, density, bed);
+    limit.consider(limits.contacts, what.str());
   }
-  return limit;
+  return limits;
+}
+
+/// Held forces are a leapfrog of the contacts with a step of the whole hold. @throws BadKey
+void check_hold(double held, double contact_limit, double step) {
+  constexpr double share = 0.5;
+  if (held <= share * contact_limit) return;
+  std::ostringstream message;
+  message << "numerics.substeps would hold contact forces for " << held << " s; at most half their stability limit of "
+          << contact_limit << " s is accepted, which is " << std::max(1, static_cast<int>(share * contact_limit / step))
+          << " sub-steps of " << step << " s";
+  throw BadKey("numerics.substeps", message.str());
 }
 
 }  // namespace
 
 StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary& library,
                        std::span<const NewRock> start) {
-  const Limit limit = stability_limit(scene, library, start);
+  const Limits limits = stability_limits(scene, library, start);
+  const Limit& limit = limits.least;
   StepChoice choice;
   choice.limit = limit.step;
   choice.limited_by = limit.by;
@@ -112,8 +131,10 @@ StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary&
       throw BadKey("time.step", message.str());
     }
   }
-  choice.per_window = static_cast<int>(std::ceil(input.coupling_interval / wanted * (1 - 1e-9)));
+  const int hold = input.numerics.substeps;
+  choice.per_window = hold * static_cast<int>(std::ceil(input.coupling_interval / wanted / hold * (1 - 1e-9)));
   choice.dt = input.coupling_interval / choice.per_window;
+  if (hold > 1) check_hold(hold * choice.dt, limits.contacts, choice.dt);
   return choice;
 }
 

@@ -24,8 +24,8 @@ template <class Kernel>
 inline constexpr int blocks_at_once = 4;
 template <>
 inline constexpr int blocks_at_once<BondForces<double>> = 2;
-template <class Real>
-inline constexpr int blocks_at_once<WallForces<Real>> = 2;
+template <class Real, bool held>
+inline constexpr int blocks_at_once<WallForces<Real, held>> = 2;
 
 inline constexpr Index reduce_chunk = 1024;  // as on the CPU: sums are added in the same order
 inline constexpr Index reduce_tile = 32;

@@ -212,8 +212,8 @@ const std::vector<Key> run_keys = {
     {.path = "numerics", .defaulted = true, .doc = "How it is computed."},
     {.path = "numerics.precision", .type = word, .fallback = "mixed", .words = "mixed|double",
      .doc = "mixed: positions and velocities double, laws single; double: all double."},
-    {.path = "numerics.substeps", .type = integer, .fallback = "1", .range = {.low = 1, .high = 1},
-     .doc = "Bond sub-steps in a step. Only 1: every bond takes the same step as the contacts."},
+    {.path = "numerics.substeps", .type = integer, .fallback = "1", .range = {.low = 1, .high = 16},
+     .doc = "Time steps of the bonds over which contact and wall forces are held; their product with the step stays below half the limit of contacts."},
 
     {.path = "particles", .doc = "A start state from files, instead of or beside a feed."},
     {.path = "particles.file", .type = file, .required = true,

@@ -15,7 +15,7 @@ namespace gyro {
 template <class Exec, class Real>
 ParticleSums DemSolver<Exec, Real>::particle_sums() const {
   return exec_.template reduce<ParticleSums>("sum particles", particle_count(),
-                                             SumParticles{view(), scene_.gravity, scene_.dt});
+                                             SumParticles{view(), scene_.gravity, held_time()});
 }
 
 template <class Exec, class Real>

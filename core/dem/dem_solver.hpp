@@ -64,12 +64,13 @@ class DemSolver final : public Dem {
   // dem_step.hpp
   void place_walls(const Window& window, const MantlePath& path);
   void prime();
-  void step(std::int64_t number);
+  void step(std::int64_t number, bool fresh);
   void move();
   void bond_forces(std::int64_t number);
-  void pair_forces();
-  void wall_forces();
-  void gather(bool kick);
+  void contact_forces(double ahead);
+  template <bool held>
+  void launch_contacts(double ahead);
+  void gather(bool fresh, bool kick);
   bool lists_stale() const;
   void close_window(const Window& window);
 
@@ -129,6 +130,8 @@ class DemSolver final : public Dem {
   PairView<Real> pair_view(const PairLists& lists) const;
   WallView<Real> wall_view(const WallLists& lists) const;
   BondLaw<Real> bond_law() const;
+  double ahead() const { return 0.5 * (scene_.hold - 1) * scene_.dt; }  ///< to the middle of a hold [s]
+  double held_time() const { return scene_.hold * scene_.dt; }          ///< [s]
   Index particle_count() const { return static_cast<Index>(particles_.place.size()); }
   bool has_bonds() const { return scene_.bonds.has_value(); }
 
@@ -143,6 +146,7 @@ class DemSolver final : public Dem {
   Buffer<Block> blocks_;
   Buffer<Index> colour_begin_;
   Buffer<Index> bond_row_begin_, bond_row_;
+  Buffer<Load> held_;  ///< contact and wall forces of the present hold; empty when a hold is one step
   Buffer<BreakEvent> events_;
   Buffer<std::int32_t> flags_;  ///< stale, relist, number of events
 
@@ -154,7 +158,7 @@ class DemSolver final : public Dem {
 
   Buffer<WallPose> pose_table_;      ///< steps + 1 rows of one pose a wall
   const WallPose* poses_ = nullptr;  ///< row of this step
-  std::vector<WallPose> host_table_, poses_now_, poses_listed_;
+  std::vector<WallPose> host_table_, poses_now_, poses_listed_, end_poses_;
   double margin_ = 0;
   bool listed_ = false, primed_ = false;
 

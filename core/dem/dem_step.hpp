@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/errors.hpp"
 #include "core/dem/dem_solver.hpp"
 
 // One window and one step of the DEM.
@@ -9,6 +10,9 @@ namespace gyro {
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path) {
+  if (window.steps % scene_.hold != 0)
+    throw BadInput("a window of " + std::to_string(window.steps) + " steps is no whole number of holds of " +
+                   std::to_string(scene_.hold) + " steps");
   place_walls(window, path);
   if (!primed_) prime();
   const Index walls = surfaces_.count();
@@ -16,26 +20,28 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
     poses_ = pose_table_.data() + static_cast<std::ptrdiff_t>(k) * walls;
     poses_now_.assign(host_table_.begin() + static_cast<std::ptrdiff_t>(k) * walls,
                       host_table_.begin() + static_cast<std::ptrdiff_t>(k + 1) * walls);
-    step(window.first_step + k);
+    step(window.first_step + k, (k - 1) % scene_.hold == 0);
   }
+  poses_now_ = end_poses_;
   close_window(window);
 }
 
-/// Velocity Verlet; forces that depend on velocity see v(n+1/2), all others x(n+1).
+/// Velocity Verlet; forces that depend on velocity see v(n+1/2), all others x(n+1). With scene.hold = k > 1
+/// contacts and walls are evaluated in every k-th step, for the places in the middle of the k steps.
+/// @param fresh  the first step of a hold
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::step(std::int64_t number) {
+void DemSolver<Exec, Real>::step(std::int64_t number, bool fresh) {
   move();
-  if (lists_stale()) rebuild_lists();
+  if (fresh && lists_stale()) rebuild_lists();
   if (has_bonds()) bond_forces(number);
-  pair_forces();
-  wall_forces();
-  gather(true);
+  if (fresh) contact_forces(ahead());
+  gather(fresh, true);
 }
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::move() {
   exec_.for_each("move", particle_count(),
-                 Move{view(), scene_.dt, 0.25 * margin_ * margin_, flags_.data(), has_bonds()});
+                 Move{view(), scene_.dt, ahead(), 0.25 * margin_ * margin_, flags_.data(), has_bonds()});
 }
 
 template <class Exec, class Real>
@@ -46,23 +52,28 @@ void DemSolver<Exec, Real>::bond_forces(std::int64_t number) {
 }
 
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::pair_forces() {
+void DemSolver<Exec, Real>::contact_forces(double ahead) {
+  scene_.hold == 1 ? launch_contacts<false>(ahead) : launch_contacts<true>(ahead);
+}
+
+template <class Exec, class Real>
+template <bool held>
+void DemSolver<Exec, Real>::launch_contacts(double ahead) {
   const PairView<Real> pairs = pair_view(pairs_);
-  exec_.for_each("pair forces", pairs.count,
-                 PairForces<Real>{view(), pairs, has_bonds() ? bonds_.state.data() : nullptr, rock_law_});
-}
-
-template <class Exec, class Real>
-void DemSolver<Exec, Real>::wall_forces() {
   const WallView<Real> walls = wall_view(walls_);
-  exec_.for_each("wall forces", walls.count, WallForces<Real>{view(), walls, wall_laws_.data(), scene_.dt});
+  const std::int32_t* bond_state = has_bonds() ? bonds_.state.data() : nullptr;
+  exec_.for_each("pair forces", pairs.count, PairForces<Real, held>{view(), pairs, bond_state, rock_law_, ahead});
+  exec_.for_each("wall forces", walls.count,
+                 WallForces<Real, held>{view(), walls, wall_laws_.data(), held_time(), ahead});
 }
 
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::gather(bool kick) {
-  exec_.for_each(
-      "gather", particle_count(),
-      Gather<Real>{view(), pair_view(pairs_), wall_view(walls_), scene_.gravity, scene_.dt, has_bonds(), kick});
+void DemSolver<Exec, Real>::gather(bool fresh, bool kick) {
+  if (scene_.hold > 1) held_.resize(static_cast<std::size_t>(particle_count()));
+  Load* held = scene_.hold > 1 ? held_.data() : nullptr;
+  exec_.for_each("gather", particle_count(),
+                 Gather<Real>{view(), pair_view(pairs_), wall_view(walls_), scene_.gravity, scene_.dt, has_bonds(),
+                              held, fresh, kick});
 }
 
 /// Loads at the very start, so that the first half kick is a real one.
@@ -72,23 +83,29 @@ void DemSolver<Exec, Real>::prime() {
   rebuild_lists();
   booked_.exchanged += bond_sums().elastic;  // before any bond fails
   if (has_bonds()) bond_forces(0);
-  pair_forces();
-  wall_forces();
-  gather(false);
+  contact_forces(0);
+  gather(true, false);
   book_walls();
   wall_sums_.assign(wall_sums_.size(), WallSum{});  // no time has passed: nothing was done
   booked_.exchanged += contact_sums().elastic;
 }
 
-/// Poses of all walls for each step of the window, so that nothing is asked of the host inside it.
+/// Poses of all walls for each step of the window, so that nothing is asked of the host inside it: row k is
+/// what contacts see in step k, the middle of the hold that begins with it.
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::place_walls(const Window& window, const MantlePath& path) {
   const std::size_t count = scene_.walls.size();
   host_table_.resize(count * static_cast<std::size_t>(window.steps + 1));
+  const auto pose_after = [&](double k, std::size_t w) {
+    return pose_of(scene_.walls[w], (static_cast<double>(window.first_step) + k) * window.dt,
+                   mantle_at(path, k * window.dt));
+  };
+  const double middle = 0.5 * (scene_.hold - 1);
   for (int k = 0; k <= window.steps; ++k)
     for (std::size_t w = 0; w < count; ++w)
-      host_table_[static_cast<std::size_t>(k) * count + w] = pose_of(
-          scene_.walls[w], static_cast<double>(window.first_step + k) * window.dt, mantle_at(path, k * window.dt));
+      host_table_[static_cast<std::size_t>(k) * count + w] = pose_after(k == 0 ? 0 : k + middle, w);
+  end_poses_.resize(count);
+  for (std::size_t w = 0; w < count; ++w) end_poses_[w] = pose_after(window.steps, w);
   Exec::upload(pose_table_, host_table_);
   poses_ = pose_table_.data();
   poses_now_.assign(host_table_.begin(), host_table_.begin() + static_cast<std::ptrdiff_t>(count));
@@ -121,7 +138,7 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
     booked_.wall_work += wall_loads_[w].work;
     wall_sums_[w] = WallSum{};
   }
-  counts_total_.particle_steps += std::int64_t{particle_count()} * window.steps;
+  counts_total_.particle_steps += std::int64_t{particle_count()} * (window.steps / scene_.hold);
   counts_total_.bond_steps += counts_total_.bonds_intact * window.steps;
   drain_breakages(window);
 }

@@ -109,6 +109,7 @@ struct Scene {
   std::vector<Wall> walls;
   Vec3d gravity{0, 0, -9.81};
   double dt = 0;                ///< [s]
+  int hold = 1;                 ///< steps over which contact and wall forces are held, bonds move on
   double largest_radius = 0;    ///< of any particle that will ever be fed [m]
   double neighbour_margin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
   bool rolling = false;         ///< any pair has rolling friction

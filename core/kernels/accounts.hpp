@@ -86,7 +86,7 @@ struct SumPairs {
     const double a = p.place[pair.i].radius, b = p.place[pair.j].radius;
     const ContactMemory<Real> m = pairs.memory[n];
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
-    return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.force)), ratio,
+    return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.elastic)), ratio,
             p.id[pair.i]};
   }
 };
@@ -107,7 +107,7 @@ struct SumWallContacts {
       const ContactMemory<Real> m = walls.memory[n].contact[k];
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
       s = s + ContactSums{weight * static_cast<double>(contact_energy(laws[entry.wall], static_cast<Real>(place.radius),
-                                                                      m.overlap, m.force)),
+                                                                      m.overlap, m.elastic)),
                           static_cast<double>(m.overlap) / place.radius, p.id[entry.particle]};
     }
     return s;

@@ -9,6 +9,7 @@ namespace gyro {
 
 /// Second half of a velocity Verlet step: adds up what acts on a particle, in the fixed order
 /// gravity, bonds, contacts by partner id, walls by wall id, and gives the second half of the kick.
+/// Forces that are held over several steps are added up once and kept.
 template <class Real>
 struct Gather {
   ParticleView p;
@@ -17,7 +18,9 @@ struct Gather {
   Vec3d gravity;
   double dt;
   bool with_bonds;
-  bool kick;  ///< false: only the loads, for a scene that has just been put together
+  Load* held;  ///< contacts and walls of each particle; null: evaluated anew in each step
+  bool fresh;  ///< contacts and walls have just been evaluated
+  bool kick;   ///< false: only the loads, for a scene that has just been put together
 
   GYRO_HD void operator()(Index n) const {
     const Motion motion = p.motion[n];
@@ -31,6 +34,22 @@ struct Gather {
       lost.bond_damping += bonds.damped;
       lost.bond_slip += bonds.slipped;
     }
+    if (held == nullptr) {
+      add_contacts(n, force, moment, lost);
+    } else {
+      if (fresh) {
+        Load sum;
+        add_contacts(n, sum.force, sum.moment, lost);
+        held[n] = sum;
+      }
+      force += held[n].force;
+      moment += held[n].moment;
+    }
+    store(n, force, moment, lost);
+  }
+
+ private:
+  GYRO_HD void add_contacts(Index n, Vec3d& force, Vec3d& moment, Losses& lost) const {
     for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e) {
       const PairEnd end = pairs.ends[e];
       if (!pairs.touching[end.pair]) continue;
@@ -53,10 +72,8 @@ struct Gather {
       lost.contact_damping += static_cast<double>(r.damped);
       lost.contact_slip += static_cast<double>(r.slipped);
     }
-    store(n, force, moment, lost);
   }
 
- private:
   GYRO_HD void store(Index n, const Vec3d& force, const Vec3d& moment, const Losses& lost) const {
     Load load;
     load.force = force;

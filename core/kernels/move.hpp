@@ -12,6 +12,7 @@ namespace gyro {
 struct Move {
   ParticleView p;
   double dt;            ///< [s]
+  double ahead;         ///< as in seen(): lists must hold for the places that contacts see [s]
   double allowed2;      ///< square of the way a particle may go before lists are stale [m2]
   std::int32_t* stale;  ///< set to 1 by any particle that went further
   bool with_turn;
@@ -30,7 +31,7 @@ struct Move {
     p.motion[n] = motion;
     p.spin[n] = spin;
     p.place[n] = place;
-    if (norm2(place.x - p.listed_at[n]) > allowed2) raise_flag(stale);
+    if (norm2(place.x + ahead * motion.v - p.listed_at[n]) > allowed2) raise_flag(stale);
   }
 };
 

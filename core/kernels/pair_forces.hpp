@@ -9,16 +9,17 @@
 namespace gyro {
 
 /// Contact of two particles: force into the pair's own slot.
-template <class Real>
+template <class Real, bool held>
 struct PairForces {
   ParticleView p;
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
   ContactLaw<Real> law;
+  double ahead;  ///< as in seen() [s]
 
   GYRO_HD void operator()(Index n) const {
     const Pair pair = pairs.pairs[n];
-    const Sphere a = p.place[pair.i], b = p.place[pair.j];
+    const Sphere a = seen<held>(p, pair.i, ahead), b = seen<held>(p, pair.j, ahead);
     const Vec3d span = b.x - a.x;
     const double sum = a.radius + b.radius, distance2 = norm2(span);
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_gone;
@@ -52,11 +53,10 @@ struct PairForces {
     c.mass = static_cast<Real>(va.mass * vb.mass / (va.mass + vb.mass));
     c.inertia = static_cast<Real>(wa.inertia * wb.inertia / (wa.inertia + wb.inertia));
 
-    const ContactMemory<Real> memory = pairs.memory[n];
-    const ContactLoad<Real> load = hertz_mindlin(law, c, memory.force, memory.overlap);
+    const ContactLoad<Real> load = hertz_mindlin(law, c, pairs.memory[n]);
 
     const Vec3<Real> lever = cross(c.normal, load.force);
-    pairs.memory[n] = {load.elastic, c.overlap};
+    pairs.memory[n] = load.past;
     pairs.result[n] = {load.force, static_cast<Real>(arm_a) * lever + load.couple,
                        static_cast<Real>(arm_b) * lever - load.couple, load.damped, load.slipped};
   }

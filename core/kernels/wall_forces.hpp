@@ -18,16 +18,17 @@ GYRO_HD inline WallTouches touch_wall(const WallSurface& surface, const SegmentR
 
 /// Contact of a particle with a rigid wall: force into the entry's own slot, load of the wall into
 /// the entry's exact sums.
-template <class Real>
+template <class Real, bool held>
 struct WallForces {
   ParticleView p;
   WallView<Real> walls;
   const ContactLaw<Real>* laws;  ///< of rock against each wall
-  double dt;
+  double dt;                     ///< time for which the forces act [s]
+  double ahead;                  ///< as in seen() [s]
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = walls.entries[n];
-    const Sphere place = p.place[entry.particle];
+    const Sphere place = seen<held>(p, entry.particle, ahead);
     const WallPose pose = walls.poses[entry.wall];
     const WallTouches touches =
         touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, place.x), place.radius);
@@ -68,15 +69,14 @@ struct WallForces {
       c.mass = static_cast<Real>(motion.mass);
       c.inertia = static_cast<Real>(spin.inertia);
 
-      const ContactMemory<Real> memory = remembered(old, cast<Real>(outward), taken);
-      const ContactLoad<Real> load = hertz_mindlin(laws[entry.wall], c, memory.force, memory.overlap);
+      const ContactLoad<Real> load = hertz_mindlin(laws[entry.wall], c, remembered(old, cast<Real>(outward), taken));
       const Real weight = static_cast<Real>(touch.weight);
       const Vec3<Real> force = weight * load.force;
       result.force += force;
       result.moment += static_cast<Real>(arm) * cross(c.normal, force) + weight * load.couple;
       result.damped += weight * load.damped;
       result.slipped += weight * load.slipped;
-      now.contact[k] = {load.elastic, c.overlap};
+      now.contact[k] = load.past;
       now.normal[k] = cast<Real>(outward);
       book(sum, cast<double>(force), point, wall_velocity);
     }

@@ -29,14 +29,22 @@ struct ContactMotion {
   T inertia;         ///< Ii Ij/(Ii + Ij) [kg m2]
 };
 
+/// What a contact remembers of the last step. Zero for a new contact.
+template <class T>
+struct ContactPast {
+  Vec3<T> elastic;  ///< elastic tangential force on i [N]
+  T overlap;        ///< [m]
+  Vec3<T> drag;     ///< damping force on i, normal and tangential: for the ledger alone [N]
+};
+
 /// Loads on body i, what the contact remembers, and what the ledger needs.
 template <class T>
 struct ContactLoad {
-  Vec3<T> force;    ///< on i [N]
-  Vec3<T> couple;   ///< rolling resistance on i; j receives the opposite [N m]
-  Vec3<T> elastic;  ///< elastic part of the tangential force on i: the memory [N]
-  T damped;         ///< work lost to damping in this step [J]
-  T slipped;        ///< work lost to friction and rolling in this step [J]
+  Vec3<T> force;        ///< on i [N]
+  Vec3<T> couple;       ///< rolling resistance on i; j receives the opposite [N m]
+  ContactPast<T> past;  ///< for the next step
+  T damped;             ///< work lost to damping in this step [J]
+  T slipped;            ///< work lost to friction and rolling in this step [J]
 };
 
 /// Elastic energy of a contact: 2/5 of (4/3 E* sqrt(R*) delta^1.5) delta, plus Ft^2/(2 St) [J].
@@ -55,6 +63,9 @@ GYRO_HD T contact_energy(const ContactLaw<T>& law, T radius, T overlap, const Ve
 ///   c(S) = 2 sqrt(5/6) zeta sqrt(S m*)
 ///   |M| <= mu_r R* Fn against the relative rolling, and no more than stops it in one step
 ///
+/// Work is force times way with the mean of the forces at both ends of the step, as velocity Verlet
+/// spends them; the damping force at the end alone would err by the first power of the step.
+///
 /// Ft0 is the elastic tangential force of the last step, laid into the present tangent plane at
 /// equal size and, while unloading, scaled by St/St_old: otherwise a loop load–shear–unload would
 /// create energy (Thornton & Randall 1988; `rescale` variants of later codes). While sliding there
@@ -63,12 +74,10 @@ GYRO_HD T contact_energy(const ContactLaw<T>& law, T radius, T overlap, const Ve
 /// Sources: Johnson, Contact Mechanics (1985), ch. 4 and 7; Tsuji, Tanaka & Ishida, Powder Technol.
 /// 71 (1992) 239 for the form of the damping; the constant zeta belongs to a force that cannot pull.
 ///
-/// @param c           kinematics; c.overlap > 0
-/// @param before      elastic tangential force on i of the last step [N]; 0 for a new contact
-/// @param overlap_before  overlap of the last step [m]; 0 for a new contact
+/// @param c     kinematics; c.overlap > 0
+/// @param past  of the last step
 template <class T>
-GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMotion<T>& c, const Vec3<T>& before,
-                                     T overlap_before) {
+GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMotion<T>& c, const ContactPast<T>& past) {
   using std::sqrt;
   const T tiny = T(1e-30);
   const T root = sqrt(c.radius * c.overlap);
@@ -81,9 +90,9 @@ GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMoti
   const T limit = law.friction * push;
 
   // The memory in the present tangent plane, at equal size, softened while unloading.
-  const Vec3<T> flat = tangential(before, c.normal);
-  const T size_before = norm(before), size_flat = norm(flat);
-  const T unload = select(c.overlap < overlap_before, sqrt(c.overlap / larger(overlap_before, tiny)), T(1));
+  const Vec3<T> flat = tangential(past.elastic, c.normal);
+  const T size_before = norm(past.elastic), size_flat = norm(flat);
+  const T unload = select(c.overlap < past.overlap, sqrt(c.overlap / larger(past.overlap, tiny)), T(1));
   const Vec3<T> laid = (size_before / larger(size_flat, tiny)) * flat;
 
   const Vec3<T> slide = c.velocity - speed_n * c.normal;
@@ -92,21 +101,22 @@ GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMoti
   const T keep = select(size > limit, limit / larger(size, tiny), T(1));
 
   ContactLoad<T> out;
-  out.elastic = keep * trial;
+  const Vec3<T> elastic = keep * trial;
   const T damp_t = select(size > limit, T(0), damp * sqrt(stiff_t * c.mass));
-  const Vec3<T> wanted = out.elastic - damp_t * slide;
+  const Vec3<T> wanted = elastic - damp_t * slide;
   const T wanted_size = norm(wanted);
   const T cut = select(wanted_size > limit, limit / larger(wanted_size, tiny), T(1));
   const Vec3<T> friction = cut * wanted;
   out.force = friction - push * c.normal;
-  const Vec3<T> drag = friction - out.elastic;
-  out.damped = law.dt * ((push - spring_n) * speed_n - dot(drag, slide));
+  const Vec3<T> drag = friction - elastic - (push - spring_n) * c.normal;
+  out.past = {elastic, c.overlap, drag};
+  out.damped = T(-0.5) * law.dt * dot(past.drag + drag, c.velocity);
 
   // Work into the tangential spring less what it stores is friction.
-  const T root_before = sqrt(c.radius * overlap_before);
+  const T root_before = sqrt(c.radius * past.overlap);
   const T stored_before = size_before * size_before / larger(T(16) * law.shear * root_before, tiny);
-  const T stored = norm2(out.elastic) / larger(stiff_t + stiff_t, tiny);
-  out.slipped = T(-0.5) * law.dt * dot(laid + out.elastic, slide) - (stored - stored_before);
+  const T stored = norm2(elastic) / larger(stiff_t + stiff_t, tiny);
+  out.slipped = T(-0.5) * law.dt * dot(laid + elastic, slide) - (stored - stored_before);
 
   // Rolling.
   const Vec3<T> roll = tangential(c.spin, c.normal);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/hd.hpp"
-#include "core/math/vec3.hpp"
+#include "core/laws/hertz_mindlin.hpp"
 
 namespace gyro {
 
@@ -15,10 +14,7 @@ struct Pair {
 
 /// What a contact remembers from one step to the next. Zero while the pair does not touch.
 template <class Real>
-struct ContactMemory {
-  Vec3<Real> force;  ///< elastic tangential force on i [N]
-  Real overlap;      ///< [m]
-};
+using ContactMemory = ContactPast<Real>;
 
 /// Result of a pair for this step.
 template <class Real>

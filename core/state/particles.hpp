@@ -82,4 +82,15 @@ using Pointer = T*;
 using ParticleView = Particles<Pointer>;
 static_assert(sizeof(ParticleView) == 10 * sizeof(void*), "a new column needs a line in for_each_particle_column");
 
+/// A sphere as contacts see it: where it is or, with forces that are `held` over several steps, where
+/// it will be in their middle if it flies on. So held forces are those of a leapfrog with the longer step;
+/// forces of the hold's begin would heat an elastic impact.
+/// @param ahead  time to the middle of the hold [s]
+template <bool held>
+GYRO_HD Sphere seen(const ParticleView& p, Index n, double ahead) {
+  Sphere s = p.place[n];
+  if constexpr (held) s.x += ahead * p.motion[n].v;
+  return s;
+}
+
 }  // namespace gyro

@@ -23,28 +23,34 @@ double hertz(double overlap) {
   return 4.0 / 3 * youngs * std::sqrt(radius) * std::pow(overlap, 1.5);
 }
 
+/// Loads of a contact that was the same a step ago, but for what its spring remembers.
+ContactLoad<double> lasting(const ContactLaw<double>& law, const ContactMotion<double>& c,
+                            const Vec3d& elastic = {0, 0, 0}, double overlap = 0) {
+  ContactPast<double> past{elastic, overlap, {0, 0, 0}};
+  past.drag = hertz_mindlin(law, c, past).past.drag;
+  return hertz_mindlin(law, c, past);
+}
+
 /// A contact that is moved along a path, with the work done against its tangential force.
 struct Path {
   ContactLaw<double> law = elastic_law();
-  Vec3d memory{0, 0, 0};
-  double overlap = 0, work = 0, lost = 0, smallest_loss = 0;
+  ContactPast<double> past{};
+  double work = 0, lost = 0, smallest_loss = 0;
 
   void go(double to_overlap, const Vec3d& slip, int steps) {
-    const double from = overlap;
+    const double from = past.overlap;
     for (int k = 1; k <= steps; ++k) {
       ContactMotion<double> c = resting(from + (to_overlap - from) * k / steps);
       if (c.overlap <= 0) c.overlap = 1e-15;
       c.velocity = (1 / (steps * law.dt)) * slip;
-      const Vec3d before = memory;
-      const ContactLoad<double> load = hertz_mindlin(law, c, memory, overlap);
-      work -= 0.5 * law.dt * dot(before + load.elastic, c.velocity);
+      const ContactLoad<double> load = hertz_mindlin(law, c, past);
+      work -= 0.5 * law.dt * dot(past.elastic + load.past.elastic, c.velocity);
       lost += load.slipped;
       smallest_loss = std::min(smallest_loss, load.slipped);
-      memory = load.elastic;
-      overlap = c.overlap;
+      past = load.past;
     }
   }
-  double stored() const { return norm2(memory) / (16 * law.shear * std::sqrt(radius * overlap)); }
+  double stored() const { return norm2(past.elastic) / (16 * law.shear * std::sqrt(radius * past.overlap)); }
 };
 
 }  // namespace
@@ -53,18 +59,30 @@ TEST_CASE("Normal force is Hertz's plus damping, and never pulls", "[laws][conta
   ContactLaw<double> law = elastic_law();
   law.damping = 0.6;
   for (const double overlap : {1e-6, 1e-5, 1e-4}) {
-    CHECK(-hertz_mindlin(law, resting(overlap), {0, 0, 0}, 0.0).force.z == Approx(hertz(overlap)).epsilon(1e-12));
+    CHECK(-lasting(law, resting(overlap)).force.z == Approx(hertz(overlap)).epsilon(1e-12));
     const double stiffness = 2 * youngs * std::sqrt(radius * overlap);
     const double damper = 2 * std::sqrt(5.0 / 6) * 0.6 * std::sqrt(stiffness * mass);
     for (const double speed : {-3.0, -0.3, -0.01, 0.01, 0.3, 3.0}) {
       ContactMotion<double> c = resting(overlap);
       c.velocity = {0, 0, speed};
-      const ContactLoad<double> load = hertz_mindlin(law, c, {0, 0, 0}, 0.0);
+      const ContactLoad<double> load = lasting(law, c);
       CHECK(-load.force.z == Approx(std::max(0.0, hertz(overlap) + damper * speed)).epsilon(1e-12));
       CHECK(load.damped == Approx(law.dt * (-load.force.z - hertz(overlap)) * speed));
       CHECK(load.damped >= 0);
     }
   }
+}
+
+TEST_CASE("Work of the damping force is booked half with the step's begin, half with its end", "[laws][contact]") {
+  ContactLaw<double> law = elastic_law();
+  law.damping = 0.6;
+  ContactMotion<double> c = resting(1e-5);
+  c.velocity = {0.002, 0, 0.03};
+  const ContactLoad<double> first = hertz_mindlin(law, c, {});
+  c.velocity = {0.001, 0, 0.01};
+  const ContactLoad<double> second = hertz_mindlin(law, c, first.past);
+  CHECK(first.damped == Approx(-0.5 * law.dt * dot(first.past.drag, Vec3d{0.002, 0, 0.03})).epsilon(1e-14));
+  CHECK(second.damped == Approx(-0.5 * law.dt * dot(first.past.drag + second.past.drag, c.velocity)).epsilon(1e-14));
 }
 
 TEST_CASE("Stored energy of a contact is the work of Hertz's force", "[laws][contact]") {
@@ -82,19 +100,19 @@ TEST_CASE("A sticking contact is Mindlin's spring; a sliding one is Coulomb's li
   Path path;
   path.go(overlap, {0, 0, 0}, 1);
   path.go(overlap, {0.9 * limit / stiffness, 0, 0}, 10);
-  CHECK(-path.memory.x == Approx(0.9 * limit).epsilon(1e-12));
+  CHECK(-path.past.elastic.x == Approx(0.9 * limit).epsilon(1e-12));
   CHECK(std::abs(path.lost) < 1e-12 * path.work);
   path.go(overlap, {0.2 * limit / stiffness, 0, 0}, 10);
-  CHECK(-path.memory.x == Approx(limit).epsilon(1e-14));
+  CHECK(-path.past.elastic.x == Approx(limit).epsilon(1e-14));
   path.go(overlap, {0, 3 * limit / stiffness, 0}, 100);
-  CHECK(norm(path.memory) == Approx(limit).epsilon(1e-14));
+  CHECK(norm(path.past.elastic) == Approx(limit).epsilon(1e-14));
 
   // With damping and sliding the whole tangential force is the limit.
   ContactLaw<double> law = elastic_law();
   law.damping = 0.7;
   ContactMotion<double> c = resting(overlap);
   c.velocity = {0.5, 0.2, 0.01};
-  const ContactLoad<double> load = hertz_mindlin(law, c, path.memory, overlap);
+  const ContactLoad<double> load = hertz_mindlin(law, c, path.past);
   CHECK(norm(tangential(load.force, c.normal)) == Approx(0.5 * -load.force.z).epsilon(1e-14));
 }
 
@@ -102,10 +120,10 @@ TEST_CASE("The memory follows the tangent plane at equal size", "[laws][contact]
   ContactMotion<double> c = resting(1e-5);
   const Vec3d before{0.01, 0, 0};
   c.normal = {std::sin(0.1), 0, std::cos(0.1)};
-  const ContactLoad<double> load = hertz_mindlin(elastic_law(), c, before, c.overlap);
-  CHECK(norm(load.elastic) == Approx(0.01).epsilon(1e-14));
-  CHECK(std::abs(dot(load.elastic, c.normal)) < 1e-17);
-  CHECK(load.elastic.x == Approx(0.01 * std::cos(0.1)).epsilon(1e-13));
+  const ContactLoad<double> load = lasting(elastic_law(), c, before, c.overlap);
+  CHECK(norm(load.past.elastic) == Approx(0.01).epsilon(1e-14));
+  CHECK(std::abs(dot(load.past.elastic, c.normal)) < 1e-17);
+  CHECK(load.past.elastic.x == Approx(0.01 * std::cos(0.1)).epsilon(1e-13));
 }
 
 TEST_CASE("Load, shear, unload, shear back creates no energy", "[laws][contact]") {
@@ -133,7 +151,7 @@ TEST_CASE("Damping of any contact takes energy", "[laws][contact]") {
     ContactMotion<double> c = resting(1e-5 * (1.2 + random_number(k, 0)));
     c.velocity = 0.05 * random_vector(k, 1);
     const Vec3d before = tangential((0.5 * hertz(c.overlap)) * random_vector(k, 4), c.normal);
-    const ContactLoad<double> load = hertz_mindlin(law, c, before, c.overlap * (1 + 0.1 * random_number(k, 7)));
+    const ContactLoad<double> load = lasting(law, c, before, c.overlap * (1 + 0.1 * random_number(k, 7)));
     CHECK(load.damped >= -1e-15);
     CHECK(norm(tangential(load.force, c.normal)) <= 0.5 * -load.force.z * (1 + 1e-12));
   }
@@ -144,12 +162,12 @@ TEST_CASE("Rolling resistance is mu_r R* Fn and cannot turn the spin round", "[l
   law.rolling = 0.05;
   ContactMotion<double> c = resting(1e-5);
   c.spin = {300, 400, 70};  // the part about the normal does not roll
-  const ContactLoad<double> fast = hertz_mindlin(law, c, {0, 0, 0}, c.overlap);
+  const ContactLoad<double> fast = lasting(law, c, {0, 0, 0}, c.overlap);
   CHECK(norm(fast.couple) == Approx(0.05 * radius * hertz(1e-5)).epsilon(1e-12));
   CHECK(dot(fast.couple, Vec3d{0.6, 0.8, 0}) == Approx(-norm(fast.couple)).epsilon(1e-12));
   CHECK(fast.slipped == Approx(law.dt * norm(fast.couple) * 500).epsilon(1e-12));
   c.spin = {1e-3, 0, 0};
-  const ContactLoad<double> slow = hertz_mindlin(law, c, {0, 0, 0}, c.overlap);
+  const ContactLoad<double> slow = lasting(law, c, {0, 0, 0}, c.overlap);
   CHECK(c.spin.x + slow.couple.x * law.dt / c.inertia == Approx(0).margin(1e-18));
 }
 
