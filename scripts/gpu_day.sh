@@ -20,7 +20,7 @@ say() { echo "gpu day: $*" | tee -a "$out/summary.txt"; }
 step() {
   local name=$1 limit=$2 begin=$SECONDS code
   shift 2
-  timeout "$limit" "$@" >"$out/$name.log" 2>&1
+  timeout "$limit" bash -c '"$@"' _ "$@" >"$out/$name.log" 2>&1
   code=$?
   if [ $code -eq 0 ]; then say "ok    $name ($((SECONDS - begin)) s)"; else
     say "FAIL  $name (exit $code, $((SECONDS - begin)) s): $(tail -n 1 "$out/$name.log")"
@@ -46,7 +46,6 @@ w = s["wall_seconds"]
 print(f'{s["particles"]} particles, {s["particle_steps"] / w:.3g} particle-steps/s, {s["bond_steps"] / w:.3g} bond-steps/s, '
       f'{w:.2f} s for {s["simulated_seconds"]:.4g} s at {s["time_step"] * 1e6:.3g} us, {s["status"]}')
 PY
-  grep -iE '^.*(phase|forces|gather|move|pairs|sum|walls)' "$1/log.txt" | tail -n 20 >>"$out/phases.txt"
 }
 
 # All series of two runs, bit by bit but for the clock.
@@ -71,6 +70,9 @@ run_case() { # NAME CASE OPTIONS...
   "$gyrosim" run "$root/cases/$case" --quiet --overwrite --out "$out/runs/$name" "$@"
 }
 
+export -f run_case same_series
+export gyrosim root out
+
 if asked device; then
   step device 60 nvidia-smi
   step info 60 "$gyrosim" info
@@ -83,7 +85,7 @@ if asked sanitize; then
     say "skip  sanitize: no compute-sanitizer"
   else
     for tool in memcheck racecheck initcheck; do
-      GYRO_TEST_SHORT=1 step "$tool" 120 "$sanitizer" --tool $tool --error-exitcode 9 "$test_cuda" "A device gives the bits of the CPU"
+      step "$tool" 120 "$sanitizer" --tool $tool --error-exitcode 9 "$test_cuda" "A device gives the bits of the CPU"
     done
   fi
 fi
@@ -99,7 +101,8 @@ if asked speed; then
     step "primary-$device" 150 run_case "primary-$device" mkii-62-75/case.yaml --until "2 ms" --device $device &&
       say "      $(speed_of "$out/runs/primary-$device")"
   done
-  GYRO_CUDA_SYNC=1 step primary-phases 100 run_case primary-phases mkii-62-75/case.yaml --until "1 ms" --device cuda
+  GYRO_CUDA_SYNC=1 step primary-phases 100 run_case primary-phases mkii-62-75/case.yaml --until "1 ms" --device cuda &&
+    grep phase "$out/runs/primary-phases/log.txt" | tee -a "$out/summary.txt"
 fi
 if asked size; then
   step size 200 run_case size mkii-62-75/case.yaml --until "1 ms" --device cuda --set "feed.initial=16 t" &&
