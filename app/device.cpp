@@ -15,14 +15,15 @@ namespace gyro {
 Device choose_device(const std::string& asked, int threads) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   Device device{false, threads > 0 ? threads : cores, "cpu"};
-  if (asked != "cuda") return device;
 #if defined(GYRO_WITH_CUDA)
-  device.cuda = true;
-  device.name = cuda_device_report();
-  return device;
+  if (asked == "cuda" || (asked == "auto" && cuda_device_is_there())) {
+    device.cuda = true;
+    device.name = cuda_device_report();
+  }
 #else
-  throw NoDevice("this gyrosim was built without CUDA; --device cpu is accepted");
+  if (asked == "cuda") throw NoDevice("this gyrosim was built without CUDA; --device cpu is accepted");
 #endif
+  return device;
 }
 
 std::unique_ptr<Dem> make_dem(const Device& device, const Scene& scene, Loads loads) {

@@ -15,7 +15,7 @@ struct Device {
   std::string name;  ///< for records: "cpu" or the GPU's name
 };
 
-/// @param asked    auto, cpu or cuda; auto takes the CPU: the CUDA engine has not run on hardware yet
+/// @param asked    auto, cpu or cuda; auto takes a CUDA device where there is one: the bits are those of the CPU
 /// @param threads  0: all cores
 /// @throws NoDevice when cuda is asked for and not there
 Device choose_device(const std::string& asked, int threads);

@@ -16,7 +16,7 @@ namespace gyro {
 // The only __global__ functions of the project, but for those of CUB. Kernels are the structs of
 // core/kernels; they stay in constant memory (__grid_constant__), no thread copies them.
 
-inline constexpr int threads_per_block = 128;
+inline constexpr int threads_per_block = 128, warp = 32;
 
 /// Thread blocks that must fit on a multiprocessor at once: 4 lets a thread have 128 registers, which
 /// most kernels do with; with it these would spill (scripts/kernel_report.py).
@@ -104,13 +104,16 @@ class Cuda {
     finish(label, mark);
   }
 
+  /// A colour is one pass of the block's threads: more of them than a colour has bonds would only wait.
   template <class Kernel>
-  void for_each_block(const char* label, const Block* blocks, Index n, const Index* colour_begin,
-                      const Kernel& kernel) {
+  void for_each_block(const char* label, const BlockList& list, const Kernel& kernel) {
     static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
-    if (n == 0) return;
+    if (list.count == 0) return;
     const PhaseTimer::Mark mark = timer_.begin(label);
-    run_blocks<<<static_cast<unsigned>(n), threads_per_block>>>(blocks, colour_begin, kernel);
+    const unsigned threads = list.colour_size <= warp       ? warp
+                             : list.colour_size <= 2 * warp ? 2 * warp
+                                                            : threads_per_block;
+    run_blocks<<<static_cast<unsigned>(list.count), threads>>>(list.blocks, list.colour_begin, kernel);
     finish(label, mark);
   }
 

@@ -23,6 +23,13 @@ std::string version_text(int version) {
 
 }  // namespace
 
+bool cuda_device_is_there() {
+  int count = 0;
+  const bool there = cudaGetDeviceCount(&count) == cudaSuccess && count > 0;
+  cudaGetLastError();
+  return there;
+}
+
 std::string cuda_device_report() {
   int driver = 0, runtime = 0, count = 0;
   cudaDriverGetVersion(&driver);

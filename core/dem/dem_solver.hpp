@@ -126,6 +126,7 @@ class DemSolver final : public Dem {
   GluedBonds glued_bonds() const;
 
   ParticleView view() const;
+  BlockList block_list() const;
   BondView<Real> bond_view() const;
   PairView<Real> pair_view(const PairLists& lists) const;
   WallView<Real> wall_view(const WallLists& lists) const;

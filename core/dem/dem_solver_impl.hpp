@@ -35,6 +35,14 @@ ParticleView DemSolver<Exec, Real>::view() const {
 }
 
 template <class Exec, class Real>
+BlockList DemSolver<Exec, Real>::block_list() const {
+  const std::size_t blocks = blocks_.size(), begins = colour_begin_.size();  // a block has one more than colours
+  const std::size_t colours = begins > blocks ? begins - blocks : 1;
+  return {blocks_.data(), static_cast<Index>(blocks), colour_begin_.data(),
+          static_cast<Index>(bonds_.i.size() / colours)};
+}
+
+template <class Exec, class Real>
 BondView<Real> DemSolver<Exec, Real>::bond_view() const {
   auto& b = const_cast<DemSolver*>(this)->bonds_;
   return {b.i.data(),      b.j.data(),   b.axis_x.data(),   b.axis_y.data(),    b.axis_z.data(),       b.length.data(),

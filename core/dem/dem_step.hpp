@@ -47,8 +47,7 @@ void DemSolver<Exec, Real>::move() {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::bond_forces(std::int64_t number) {
   const BreakLog log{events_.data(), flags_.data() + 2, flags_.data() + 1, blocks_.data()};
-  exec_.for_each_block("bond forces", blocks_.data(), static_cast<Index>(blocks_.size()), colour_begin_.data(),
-                       BondForces<Real>{view(), bond_view(), bond_law(), log, number});
+  exec_.for_each_block("bond forces", block_list(), BondForces<Real>{view(), bond_view(), bond_law(), log, number});
 }
 
 template <class Exec, class Real>

@@ -22,7 +22,7 @@ namespace gyro {
 /// know of a machine; gpu/ has its twin. Contract of each operation:
 ///
 ///   for_each(label, n, kernel)      kernel(i) for i in [0, n), any order; no two calls write the same
-///   for_each_block(label, n, ...)   BondForces over the bonds of each block, in the bonds' order
+///   for_each_block(label, list, k)  BondForces over the bonds of each block, in the bonds' order
 ///   reduce(label, n, map)           sum of map(i), added in a fixed order
 ///   exclusive_scan(n, counts)       in place, n + 1 numbers; returns the total
 ///   sort_by_key(keys, values)       stable
@@ -62,13 +62,12 @@ class Cpu {
 
   /// @param kernel  BondForces or another kernel over the bonds of a block
   template <class Kernel>
-  void for_each_block(const char* label, const Block* blocks, Index n, const Index* colour_begin,
-                      const Kernel& kernel) {
-    (void)colour_begin;  // the order of the bonds is enough for one thread
+  void for_each_block(const char* label, const BlockList& list, const Kernel& kernel) {
+    const Block* blocks = list.blocks;  // the order of their bonds is enough for one thread: no colours
     const PhaseTimer::Mark mark = timer_.begin(label);
     // A thread starts with the rocks whose particles are its share of for_each, so that loads stay in its
     // cache, and then helps the others.
-    std::vector<BlockRange> ranges = shares_of(blocks, n);
+    std::vector<BlockRange> ranges = shares_of(blocks, list.count);
     team_->run([&](int t) {
       for (int turn = 0; turn < threads_; ++turn) {
         BlockRange& range = ranges[static_cast<std::size_t>((t + turn) % threads_)];

@@ -65,6 +65,14 @@ struct Block {
   std::int32_t state;
 };
 
+/// All blocks of a scene, as executors see them.
+struct BlockList {
+  const Block* blocks;
+  Index count;
+  const Index* colour_begin;
+  Index colour_size;  ///< bonds in a colour, on average over all blocks: how many threads have work at once
+};
+
 /// A bond that failed, as the kernel saw it.
 struct BreakEvent {
   std::int64_t step;

@@ -100,13 +100,13 @@ class Mirror {
     for (Index i = n - 1; i >= 0; --i) kernel(i);
   }
   template <class Kernel>
-  void for_each_block(const char*, const Block* blocks, Index n, const Index* colour_begin, const Kernel& kernel) {
+  void for_each_block(const char*, const BlockList& list, const Kernel& kernel) {
     const Opened opened;
-    for (Index k = n - 1; k >= 0; --k) {
-      const Block block = blocks[k];
+    for (Index k = list.count - 1; k >= 0; --k) {
+      const Block block = list.blocks[k];
       for (Index p = block.first_particle; p < block.end_particle; ++p) kernel.clear(p);
       for (Index c = block.first_colour; c + 1 < block.end_colour; ++c)
-        for (Index b = colour_begin[c + 1] - 1; b >= colour_begin[c]; --b) kernel(OneLane{b}, k);
+        for (Index b = list.colour_begin[c + 1] - 1; b >= list.colour_begin[c]; --b) kernel(OneLane{b}, k);
     }
   }
   template <class T, class Map>
