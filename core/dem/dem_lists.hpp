@@ -140,6 +140,7 @@ void DemSolver<Exec, Real>::list_walls() {
   walls_.result.resize(total);
   walls_.touching.resize(total);
   walls_.sums.resize(total);
+  walls_.later.resize(total);
   find.entries = walls_.entries.data();
   if (total > 0) exec_.for_each("find walls", n, find);
   const WallView<Real> now = wall_view(walls_);
@@ -153,9 +154,18 @@ void DemSolver<Exec, Real>::book_walls() {
   if (walls.count == 0) return;
   for (Index w = 0; w < surfaces_.count(); ++w) {
     WallSum& sum = wall_sums_[static_cast<std::size_t>(w)];
-    sum = sum + exec_.template reduce<WallSum>("book walls", walls.count, SumWall<Real>{walls, w});
+    sum = sum + exec_.template reduce<WallSum>("book walls", walls.count, SumWall{walls.entries, walls.sums, w});
   }
   exec_.for_each("clear walls", walls.count, ClearWallSums<Real>{walls});
+}
+
+/// The sums of the next window begin with what the last step's loads will do in its first half kick.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::book_later() {
+  const WallView<Real> walls = wall_view(walls_);
+  for (Index w = 0; w < surfaces_.count(); ++w)
+    wall_sums_[static_cast<std::size_t>(w)] =
+        exec_.template reduce<WallSum>("book walls", walls.count, SumWall{walls.entries, walls.later, w});
 }
 
 }  // namespace gyro

@@ -57,19 +57,19 @@ class DemSolver final : public Dem {
     Buffer<WallMemory<Real>> memory;
     Buffer<WallResult<Real>> result;
     Buffer<std::int8_t> touching;
-    Buffer<WallSum> sums;
+    Buffer<WallSum> sums, later;
     Buffer<Index> row_begin;
   };
 
   // dem_step.hpp
   void place_walls(const Window& window, const MantlePath& path);
   void prime();
-  void step(std::int64_t number, bool fresh);
+  void step(std::int64_t number, bool fresh, bool closing);
   void move();
   void bond_forces(std::int64_t number);
-  void contact_forces(double ahead);
+  void contact_forces(double ahead, double later);
   template <bool held>
-  void launch_contacts(double ahead);
+  void launch_contacts(double ahead, double later);
   void gather(bool fresh, bool kick);
   bool lists_stale() const;
   void close_window(const Window& window);
@@ -82,6 +82,7 @@ class DemSolver final : public Dem {
   void list_ends();
   void list_walls();
   void book_walls();
+  void book_later();
 
   /// Rock on its way in, on the host.
   struct Arrivals {
@@ -132,7 +133,8 @@ class DemSolver final : public Dem {
   WallView<Real> wall_view(const WallLists& lists) const;
   BondLaw<Real> bond_law() const;
   double ahead() const { return 0.5 * (scene_.hold - 1) * scene_.dt; }  ///< to the middle of a hold [s]
-  double held_time() const { return scene_.hold * scene_.dt; }          ///< [s]
+  double left_over() const { return 0.5 / scene_.hold; }  ///< share of a hold in the next window's first half kick
+  double held_time() const { return scene_.hold * scene_.dt; }  ///< [s]
   Index particle_count() const { return static_cast<Index>(particles_.place.size()); }
   bool has_bonds() const { return scene_.bonds.has_value(); }
 
@@ -163,7 +165,7 @@ class DemSolver final : public Dem {
   double margin_ = 0;
   bool listed_ = false, primed_ = false;
 
-  std::vector<WallSum> wall_sums_;  ///< of the window so far, one a wall
+  std::vector<WallSum> wall_sums_;  ///< of the window so far, one a wall; between windows what is left of the last step
   std::vector<WallLoad> wall_loads_;
   EnergyTerms booked_;  ///< of what has left, and what events and walls added
   Counts counts_total_;

@@ -64,15 +64,8 @@ PairView<Real> DemSolver<Exec, Real>::pair_view(const PairLists& lists) const {
 template <class Exec, class Real>
 WallView<Real> DemSolver<Exec, Real>::wall_view(const WallLists& lists) const {
   auto& l = const_cast<WallLists&>(lists);
-  return {surfaces_.data(),
-          poses_,
-          l.entries.data(),
-          l.memory.data(),
-          l.result.data(),
-          l.touching.data(),
-          l.sums.data(),
-          l.row_begin.data(),
-          static_cast<Index>(l.entries.size())};
+  return {surfaces_.data(),  poses_,        l.entries.data(), l.memory.data(),    l.result.data(),
+          l.touching.data(), l.sums.data(), l.later.data(),   l.row_begin.data(), static_cast<Index>(l.entries.size())};
 }
 
 template <class Exec, class Real>

@@ -20,7 +20,7 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
     poses_ = pose_table_.data() + static_cast<std::ptrdiff_t>(k) * walls;
     poses_now_.assign(host_table_.begin() + static_cast<std::ptrdiff_t>(k) * walls,
                       host_table_.begin() + static_cast<std::ptrdiff_t>(k + 1) * walls);
-    step(window.first_step + k, (k - 1) % scene_.hold == 0);
+    step(window.first_step + k, (k - 1) % scene_.hold == 0, k + scene_.hold > window.steps);
   }
   poses_now_ = end_poses_;
   close_window(window);
@@ -28,13 +28,14 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
 
 /// Velocity Verlet; forces that depend on velocity see v(n+1/2), all others x(n+1). With scene.hold = k > 1
 /// contacts and walls are evaluated in every k-th step, for the places in the middle of the k steps.
-/// @param fresh  the first step of a hold
+/// @param fresh    the first step of a hold
+/// @param closing  in the last hold of a window
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::step(std::int64_t number, bool fresh) {
+void DemSolver<Exec, Real>::step(std::int64_t number, bool fresh, bool closing) {
   move();
   if (fresh && lists_stale()) rebuild_lists();
   if (has_bonds()) bond_forces(number);
-  if (fresh) contact_forces(ahead());
+  if (fresh) contact_forces(ahead(), closing ? left_over() : 0);
   gather(fresh, true);
 }
 
@@ -51,19 +52,19 @@ void DemSolver<Exec, Real>::bond_forces(std::int64_t number) {
 }
 
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::contact_forces(double ahead) {
-  scene_.hold == 1 ? launch_contacts<false>(ahead) : launch_contacts<true>(ahead);
+void DemSolver<Exec, Real>::contact_forces(double ahead, double later) {
+  scene_.hold == 1 ? launch_contacts<false>(ahead, later) : launch_contacts<true>(ahead, later);
 }
 
 template <class Exec, class Real>
 template <bool held>
-void DemSolver<Exec, Real>::launch_contacts(double ahead) {
+void DemSolver<Exec, Real>::launch_contacts(double ahead, double later) {
   const PairView<Real> pairs = pair_view(pairs_);
   const WallView<Real> walls = wall_view(walls_);
   const std::int32_t* bond_state = has_bonds() ? bonds_.state.data() : nullptr;
   exec_.for_each("pair forces", pairs.count, PairForces<Real, held>{view(), pairs, bond_state, rock_law_, ahead});
   exec_.for_each("wall forces", walls.count,
-                 WallForces<Real, held>{view(), walls, wall_laws_.data(), held_time(), ahead});
+                 WallForces<Real, held>{view(), walls, wall_laws_.data(), held_time(), ahead, later});
 }
 
 template <class Exec, class Real>
@@ -82,10 +83,10 @@ void DemSolver<Exec, Real>::prime() {
   rebuild_lists();
   booked_.exchanged += bond_sums().elastic;  // before any bond fails
   if (has_bonds()) bond_forces(0);
-  contact_forces(0);
+  contact_forces(0, left_over());
   gather(true, false);
   book_walls();
-  wall_sums_.assign(wall_sums_.size(), WallSum{});  // no time has passed: nothing was done
+  book_later();  // in place of the sums: no time has passed, nothing was done
   booked_.exchanged += contact_sums().elastic;
 }
 
@@ -135,8 +136,8 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
     wall_loads_[w].moment = mean * Vec3d{double(s.moment[0]), double(s.moment[1]), double(s.moment[2])};
     wall_loads_[w].work = wall_quantum * static_cast<double>(s.work);
     booked_.wall_work += wall_loads_[w].work;
-    wall_sums_[w] = WallSum{};
   }
+  book_later();
   counts_total_.particle_steps += std::int64_t{particle_count()} * (window.steps / scene_.hold);
   counts_total_.bond_steps += counts_total_.bonds_intact * window.steps;
   drain_breakages(window);

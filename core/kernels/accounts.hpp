@@ -173,12 +173,12 @@ struct NoteBonds {
 };
 
 /// Adds up what the entries of one wall have booked.
-template <class Real>
 struct SumWall {
-  WallView<Real> walls;
+  const WallEntry* entries;
+  const WallSum* booked;  ///< WallView::sums or later
   Index wall;
 
-  GYRO_HD WallSum operator()(Index n) const { return walls.entries[n].wall == wall ? walls.sums[n] : WallSum{}; }
+  GYRO_HD WallSum operator()(Index n) const { return entries[n].wall == wall ? booked[n] : WallSum{}; }
 };
 
 GYRO_HD inline WallSum operator+(const WallSum& a, const WallSum& b) {

@@ -16,8 +16,39 @@ GYRO_HD inline WallTouches touch_wall(const WallSurface& surface, const SegmentR
   return touch_mesh(surface.mesh, centre, radius);
 }
 
+/// What the contacts of one entry do to the wall.
+struct WallTotal {
+  Vec3d force{0, 0, 0}, moment{0, 0, 0};  ///< on the particle, moment about the world's origin
+  double power = 0;                       ///< of the wall on the particle [W]
+
+  GYRO_HD void add(const Vec3d& on_particle, const Vec3d& point, const Vec3d& wall_velocity) {
+    force += on_particle;
+    moment += cross(point, on_particle);
+    power += dot(on_particle, wall_velocity);
+  }
+  /// Adds what acts over a time to an exact sum.
+  GYRO_HD void book(double time, WallSum& sum) const {
+    const double scale = time / wall_quantum;
+    sum.force[0] -= quanta(scale * force.x);
+    sum.force[1] -= quanta(scale * force.y);
+    sum.force[2] -= quanta(scale * force.z);
+    sum.moment[0] -= quanta(scale * moment.x);
+    sum.moment[1] -= quanta(scale * moment.y);
+    sum.moment[2] -= quanta(scale * moment.z);
+    sum.work += quanta(scale * power);
+  }
+
+ private:
+  /// What is not finite counts as nothing here: the guard finds the particle itself.
+  GYRO_HD static std::int64_t quanta(double x) {
+    constexpr double most = 9e18;
+    return x > -most && x < most ? static_cast<std::int64_t>(::floor(x + 0.5)) : 0;
+  }
+};
+
 /// Contact of a particle with a rigid wall: force into the entry's own slot, load of the wall into
-/// the entry's exact sums.
+/// the entry's exact sums. Half of the last step's load of a window acts in the next one's first half kick:
+/// work, impulse and moment of a window are those that the rock has felt in it.
 template <class Real, bool held>
 struct WallForces {
   ParticleView p;
@@ -25,6 +56,7 @@ struct WallForces {
   const ContactLaw<Real>* laws;  ///< of rock against each wall
   double dt;                     ///< time for which the forces act [s]
   double ahead;                  ///< as in seen() [s]
+  double later;                  ///< share of that time beyond the window's end; 0 but for its last hold
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = walls.entries[n];
@@ -32,6 +64,7 @@ struct WallForces {
     const WallPose pose = walls.poses[entry.wall];
     const WallTouches touches =
         touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, place.x), place.radius);
+    if (later > 0) walls.later[n] = WallSum{};
     if (touches.count == 0) {
       if (walls.touching[n]) {
         walls.touching[n] = 0;
@@ -51,7 +84,7 @@ struct WallForces {
     const WallMemory<Real> old = walls.memory[n];
     WallMemory<Real> now;
     WallResult<Real> result{};
-    WallSum sum = walls.sums[n];
+    WallTotal total;
     bool taken[WallTouches::capacity] = {};
     for (int k = 0; k < touches.count; ++k) {
       const WallTouch& touch = touches.touch[k];
@@ -78,12 +111,13 @@ struct WallForces {
       result.slipped += weight * load.slipped;
       now.contact[k] = load.past;
       now.normal[k] = cast<Real>(outward);
-      book(sum, cast<double>(force), point, wall_velocity);
+      total.add(cast<double>(force), point, wall_velocity);
     }
     now.count = touches.count;
     walls.memory[n] = now;
     walls.result[n] = result;
-    walls.sums[n] = sum;
+    total.book((1 - later) * dt, walls.sums[n]);
+    if (later > 0) total.book(later * dt, walls.later[n]);
   }
 
   /// The contact of the last step with the nearest normal (within 45 degrees), each used once.
@@ -101,23 +135,6 @@ struct WallForces {
     taken[best] = true;
     return old.contact[best];
   }
-
-  GYRO_HD void book(WallSum& sum, const Vec3d& on_particle, const Vec3d& point, const Vec3d& wall_velocity) const {
-    const double scale = dt / wall_quantum;
-    const Vec3d moment = cross(point, on_particle);
-    sum.force[0] -= quanta(scale * on_particle.x);
-    sum.force[1] -= quanta(scale * on_particle.y);
-    sum.force[2] -= quanta(scale * on_particle.z);
-    sum.moment[0] -= quanta(scale * moment.x);
-    sum.moment[1] -= quanta(scale * moment.y);
-    sum.moment[2] -= quanta(scale * moment.z);
-    sum.work += quanta(scale * dot(on_particle, wall_velocity));
-  }
-  /// What is not finite counts as nothing here: the guard finds the particle itself.
-  GYRO_HD static std::int64_t quanta(double x) {
-    return x > -most && x < most ? static_cast<std::int64_t>(::floor(x + 0.5)) : 0;
-  }
-  static constexpr double most = 9e18;
 };
 
 }  // namespace gyro

@@ -57,7 +57,8 @@ struct WallView {
   WallMemory<Real>* memory;
   WallResult<Real>* result;
   std::int8_t* touching;
-  WallSum* sums;     ///< one an entry
+  WallSum* sums;     ///< one an entry: of the window so far
+  WallSum* later;    ///< one an entry: what of the last step's loads acts in the next window
   Index* row_begin;  ///< per particle; rows are ordered by wall
   Index count;
 };
