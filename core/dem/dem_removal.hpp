@@ -86,7 +86,7 @@ void DemSolver<Exec, Real>::keep_particles(const Remaining& remaining) {
   const auto& losses = Exec::host(particles_.losses);
   for (std::size_t n = 0; n < losses.size(); ++n) {
     if (remaining.new_index[n] != none) continue;
-    const Losses& lost = losses[n];
+    const LostWork& lost = losses[n];
     booked_.bond_damping += lost.bond_damping;
     booked_.contact_damping += lost.contact_damping;
     booked_.friction += lost.bond_slip + lost.contact_slip;

@@ -17,7 +17,7 @@ namespace gyro {
 struct ParticleSums {
   double kinetic = 0, potential = 0;
   Vec3d momentum{0, 0, 0};
-  Losses lost;
+  LostWork lost;
   double overspeed = 0;  ///< largest v dt / R
   double turn = 0;       ///< largest w dt
   std::int64_t not_finite = 0;

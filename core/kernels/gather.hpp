@@ -24,7 +24,7 @@ struct Gather {
 
   GYRO_HD void operator()(Index n) const {
     const Motion motion = p.motion[n];
-    Losses lost = p.losses[n];
+    LostWork lost = p.losses[n];
     Vec3d force = motion.mass * gravity;
     Vec3d moment{0, 0, 0};
     if (with_bonds) {
@@ -49,7 +49,7 @@ struct Gather {
   }
 
  private:
-  GYRO_HD void add_contacts(Index n, Vec3d& force, Vec3d& moment, Losses& lost) const {
+  GYRO_HD void add_contacts(Index n, Vec3d& force, Vec3d& moment, LostWork& lost) const {
     for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e) {
       const PairEnd end = pairs.ends[e];
       if (!pairs.touching[end.pair]) continue;
@@ -74,7 +74,7 @@ struct Gather {
     }
   }
 
-  GYRO_HD void store(Index n, const Vec3d& force, const Vec3d& moment, const Losses& lost) const {
+  GYRO_HD void store(Index n, const Vec3d& force, const Vec3d& moment, const LostWork& lost) const {
     Load load;
     load.force = force;
     load.moment = moment;

@@ -40,7 +40,7 @@ struct alignas(64) Load {
 
 /// Work lost at a particle since it came into the scene [J]. A pair's share is booked at its
 /// lower id, so that it does not depend on when lists are rebuilt.
-struct Losses {
+struct LostWork {
   double bond_damping = 0, bond_slip = 0, contact_damping = 0, contact_slip = 0;
 };
 
@@ -54,7 +54,7 @@ struct Particles {
   Column<Load> load;        ///< total at the present place, gravity included
   Column<Load> bond_load;   ///< from bonds alone; empty without bonds
   Column<Vec3d> listed_at;  ///< place when the neighbour lists were built
-  Column<Losses> losses;
+  Column<LostWork> losses;
   Column<ParticleId> id;
   Column<Index> block;  ///< of rock
 };
