@@ -145,6 +145,7 @@ Assembly assemble(const Case& input) {
     out.pivot_height = c.pivot_height;
     if (!c.liners.empty()) out.liners = blaming("crusher", [&] { return liners_of(c); });
   }
+  if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
   for (const CaseWall& wall : input.walls) blaming("walls." + wall.name, [&] { add_wall(out, wall); });
   if (input.rocks) {
     out.library = blaming("rocks", [&] { return make_library(recipe_of(input, scene), default_cache_folder()); });

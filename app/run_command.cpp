@@ -89,6 +89,7 @@ class Run {
     const double rounding = 1e-6 * assembly_.step.per_window * assembly_.step.dt;
     while (simulation_.time() < end() - rounding) {
       output_.take(simulation_.advance(), simulation_);
+      log_drive_events();
       simulation_.require_sound();
       progress.update(progress_state());
       const bool late = arguments_.max_walltime && seconds_since(start_) > *arguments_.max_walltime;
@@ -101,6 +102,14 @@ class Run {
     progress.finish(progress_state());
     summary.status = RunStatus::done;
     return exit_done;
+  }
+
+  void log_drive_events() {
+    if (!simulation_.drivetrain() || simulation_.drivetrain()->state().events == drive_events_logged_) return;
+    const std::vector<DriveEvent> events = simulation_.drivetrain()->events();
+    for (auto k = static_cast<std::size_t>(drive_events_logged_); k < events.size(); ++k)
+      log_.warning("drive: " + to_string(events[k].kind) + " at t = " + std::to_string(events[k].time) + " s");
+    drive_events_logged_ = simulation_.drivetrain()->state().events;
   }
 
   ProgressState progress_state() const {
@@ -157,7 +166,10 @@ class Run {
     if (simulation_.feed()) s.feed_mass = simulation_.fed().mass;
     if (assembly_.gyrating != none) s.mean_crushing_power = output_.mean_crushing_power();
     if (simulation_.product()) product_figures(s);
-    if (simulation_.drivetrain()) s.stalled = simulation_.drivetrain()->stalled();
+    if (const auto& drive = simulation_.drivetrain()) {
+      s.stalled = drive->stalled();
+      for (const DriveEvent& event : drive->events()) s.drive_events.push_back({event.time, to_string(event.kind)});
+    }
     s.max_overlap_ratio = simulation_.ledger().worst_overlap();
     if (*s.max_overlap_ratio > hertz_overlap) warn_of_overlap(*s.max_overlap_ratio);
     write_summary(s, directory_.path);
@@ -206,6 +218,7 @@ class Run {
   RunDirectory directory_;
   Log log_;
   RunOutput output_;
+  double drive_events_logged_ = 0;
 };
 
 }  // namespace

@@ -123,6 +123,7 @@ void RunOutput::add_means(const WindowResult& result, const Simulation& simulati
   const DrivetrainMeans& m = simulation.drivetrain()->means();
   add("motor_speed", {m.motor_speed});
   add("eccentric_speed", {m.eccentric_speed});
+  add("mantle_spin", {m.mantle_spin});
   add("motor_torque", {m.motor_torque});
   add("mantle_torque", {m.mantle_torque});
   add("motor_power", {m.motor_power});
@@ -136,7 +137,6 @@ void RunOutput::write_row(Simulation& simulation) {
   now["time"] = simulation.time();
   if (simulation.drivetrain()) {
     now["eccentric_angle"] = simulation.drivetrain()->state().angle;
-    now["mantle_spin"] = simulation.drivetrain()->state().spin;
   }
   const double fed = simulation.fed().mass;
   const double discharged = simulation.product() ? simulation.product()->state().mass : 0;

@@ -28,7 +28,7 @@ WindowResult Simulation::advance() {
   step_ += result.window.steps;
   result.walls = dem_->wall_loads();
   if (assembly_.gyrating != none) {
-    result.load = mantle_load(result.walls, path, result.window.end());
+    result.load = mantle_load(result.walls, path, result.window.length());
     result.mantle_force = result.walls[static_cast<std::size_t>(assembly_.gyrating)].force;
     result.crushing_power = result.load.work / result.window.length();
   }
@@ -38,21 +38,23 @@ WindowResult Simulation::advance() {
   return result;
 }
 
-/// Torque of the rock about the eccentric's axis by virtual work: T_c = -M_O . (z - (z . u) u), with
-/// M_O the moment about the pivot; and the work of all gyrating walls.
-MantleLoad Simulation::mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double end) const {
+/// The rock's work on all gyrating walls, and its torques by virtual work: T_c = -M_O . (z - (z . u) u) about the
+/// eccentric's axis, T_s = M_O . u about the mantle's, with M_O the mean moment about the pivot and u of mid-window.
+MantleLoad Simulation::mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double length) const {
   MantleLoad load;
+  Vec3d force{0, 0, 0}, moment{0, 0, 0}, u{0, 0, 1};
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const auto* motion = std::get_if<GyrationMotion>(&assembly_.scene.walls[w].motion);
     if (motion == nullptr) continue;
     load.work += walls[w].work;
-    const Vec3d pivot{0, 0, motion->pivot_height};
-    const Vec3d moment = walls[w].moment - cross(pivot, walls[w].force);
-    const Vec3d u = mantle_axis(
-        *motion,
-        path.angle + path.speed * (end - static_cast<double>(step_ - assembly_.step.per_window) * assembly_.scene.dt));
-    load.resisting_torque -= dot(moment, Vec3d{0, 0, 1} - u.z * u);
+    force += walls[w].force;
+    moment += walls[w].moment - cross(Vec3d{0, 0, motion->pivot_height}, walls[w].force);
+    u = mantle_axis(*motion, path.angle + path.speed * length / 2);
   }
+  load.resisting_torque = -dot(moment, Vec3d{0, 0, 1} - u.z * u);
+  load.spin_torque = dot(moment, u);
+  if (input_.drivetrain && input_.drivetrain->bearings.depth > 0)
+    load.bearings = bearing_forces(force, moment, u, input_.drivetrain->bearings.depth);
   return load;
 }
 

@@ -59,7 +59,7 @@ class Simulation {
   void put_in(std::span<const NewRock> rocks);
   void start_feed();
   void feed_rock();
-  MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double end) const;
+  MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double length) const;
 
   const Case& input_;
   const Assembly& assembly_;

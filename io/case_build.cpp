@@ -142,29 +142,6 @@ CaseWall wall_of(const Setting& section, const Case& made) {
   return wall;
 }
 
-Motor motor_of(const Setting& section, const CaseTables& tables) {
-  const std::string& model = section.text("model");
-  if (model == "induction")
-    return InductionMotor{section.number("rated_power"), section.number("synchronous_speed"),
-                          section.number("rated_slip"), section.number("breakdown_ratio")};
-  if (model == "droop") return DroopMotor{section.number("synchronous_speed"), section.number("stall_torque")};
-  if (model == "curve") return tables.motor;
-  return ConstantSpeedMotor{section.number("speed")};
-}
-
-DrivetrainParameters drivetrain_of(const Setting& section, const CaseTables& tables) {
-  DrivetrainParameters drive;
-  drive.motor = motor_of(*section.find("motor"), tables);
-  drive.gear_ratio = section.number("gear_ratio");
-  drive.gear_efficiency = section.number("gear_efficiency");
-  drive.motor_inertia = section.number("inertia.motor");
-  drive.eccentric_inertia = section.number("inertia.eccentric");
-  drive.losses = {section.number("losses.no_load"), section.number("losses.load_factor"),
-                  section.number("losses.viscous")};
-  drive.start = section.text("start") == "rest" ? DrivetrainStart::rest : DrivetrainStart::running;
-  return drive;
-}
-
 CaseParticles particles_of(const Setting& section, const CaseTables& tables) {
   CaseParticles particles{section.text("file"), {}, tables.particles, tables.bonds};
   if (const Setting* bonds = section.find("bonds")) particles.bonds_file = bonds->texts.at(0);
@@ -195,7 +172,7 @@ Case build_case(const Setting& root, const CaseTables& tables) {
   if (const Setting* walls = root.find("walls"))
     for (const Setting& wall : walls->children) made.walls.push_back(wall_of(wall, made));
   if (const Setting* feed = root.find("feed")) made.feed = feed_of(*feed, made.walls);
-  if (const Setting* drive = root.find("drivetrain")) made.drivetrain = drivetrain_of(*drive, tables);
+  if (const Setting* drive = root.find("drivetrain")) made.drivetrain = build_drivetrain(*drive, tables, *made.crusher);
   made.coupling_interval = root.number("coupling.interval");
   made.gravity = vector_of(*root.find("gravity"));
   made.numerics = {root.text("numerics.precision") == "double" ? Precision::real64 : Precision::mixed,

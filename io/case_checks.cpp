@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/errors.hpp"
 #include "io/case_parts.hpp"
 #include "io/schema_values.hpp"
 
@@ -103,6 +104,28 @@ void check_walls(const Setting& root, CaseProblems& log) {
   }
 }
 
+/// Whether the figures of a motor can be those of one motor.
+void check_motor(const Setting& motor, CaseProblems& log) {
+  const auto number = [&](std::string_view key) {
+    const Setting* setting = motor.find(key);
+    return setting == nullptr ? 0 : setting->numbers.at(0);
+  };
+  if (const Setting* voltage = motor.find("voltage"); voltage != nullptr && motor.find("voltage_file") != nullptr)
+    log.add(voltage->mark, "voltage and voltage_file exclude each other; one of them is accepted");
+  const Setting* model = motor.find("model");
+  if (model == nullptr || model->texts[0] != "double_cage") return;
+  const DoubleCageMotor plate{number("rated_power"), number("synchronous_speed"), number("rated_slip"),
+                              number("breakdown_ratio"), number("starting_ratio")};
+  if (!(plate.rated_power > 0 && plate.synchronous_speed > 0 && plate.rated_slip > 0 && plate.breakdown_ratio > 0 &&
+        plate.starting_ratio > 0))
+    return;  // a problem of its own
+  try {
+    solve_cages(plate);
+  } catch (const BadInput& problem) {
+    log.add(motor.mark, problem.what());
+  }
+}
+
 void check_machine(const Setting& root, CaseProblems& log) {
   if (const Setting* crusher = root.find("crusher")) {
     const Setting* arm = crusher->find("eccentricity");
@@ -114,6 +137,7 @@ void check_machine(const Setting& root, CaseProblems& log) {
   if (drive == nullptr) return;
   if (root.lacks("crusher"))
     log.add(drive->mark, "drivetrain has nothing to turn; the section crusher is needed beside it");
+  if (const Setting* motor = drive->find("motor")) check_motor(*motor, log);
   const Setting* model = drive->find("motor.model");
   const bool constant = model != nullptr && model->texts[0] == "constant_speed";
   const Setting* motor = drive->find("inertia.motor");

@@ -28,6 +28,7 @@ struct CaseTables {
   std::vector<LinerRow> liners;
   std::vector<PassingPoint> sieves;
   CurveMotor motor;
+  VoltageInput voltage;
   std::vector<StartParticle> particles;
   std::vector<StartBond> bonds;
 };
@@ -47,6 +48,10 @@ void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems
 
 /// Checks what concerns more than one key. Keys with problems of their own may be missing.
 void check_settings(const Setting& root, CaseProblems& problems);
+
+/// The part of build_case() that is `drivetrain`.
+/// @throws BadInput for a name plate that no motor has
+DrivetrainParameters build_drivetrain(const Setting& section, const CaseTables& tables, const CaseCrusher& crusher);
 
 /// The case of settings without problems.
 Case build_case(const Setting& root, const CaseTables& tables);

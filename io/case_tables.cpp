@@ -110,6 +110,23 @@ CurveMotor read_motor(const fs::path& file, CaseProblems& problems) {
   return motor;
 }
 
+VoltageInput read_voltage(const fs::path& file, CaseProblems& problems) {
+  const CsvTable table = read_csv(file, {"time_s", "voltage_ratio"});
+  TableChecker checker(file, table, problems);
+  if (!table.problems.empty()) return {};
+  checker.expect_rows(1);
+  checker.expect_rising(0);
+  VoltageInput voltage;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    checker.expect(k > 0 || table.rows[k][0] == 0, k,
+                   "the table does not begin at t = 0; a first time of 0 s is accepted");
+    checker.expect(table.rows[k][1] >= 0, k, "the voltage is negative; a ratio of 0 or more is accepted");
+    voltage.times.push_back(table.rows[k][0]);
+    voltage.ratios.push_back(table.rows[k][1]);
+  }
+  return voltage;
+}
+
 }  // namespace
 
 CaseTables read_tables(const Setting& root, CaseProblems& problems) {
@@ -117,6 +134,8 @@ CaseTables read_tables(const Setting& root, CaseProblems& problems) {
   if (const auto file = table_file(root.find("crusher.profile"))) tables.liners = read_liners(*file, problems);
   if (const auto file = table_file(root.find("rocks.sizes.sieves"))) tables.sieves = read_sieves(*file, problems);
   if (const auto file = table_file(root.find("drivetrain.motor.file"))) tables.motor = read_motor(*file, problems);
+  if (const auto file = table_file(root.find("drivetrain.motor.voltage_file")))
+    tables.voltage = read_voltage(*file, problems);
   if (table_file(root.find("particles.file"))) read_start_state(*root.find("particles"), tables, problems);
   return tables;
 }

@@ -170,21 +170,30 @@ const std::vector<Key> wall_keys = {
 const std::vector<Key> drive_keys = {
     {.path = "drivetrain", .doc = "Motor, gear and inertia that turn the eccentric. Without it the case has no gyration."},
     {.path = "drivetrain.motor", .required = true, .doc = "Torque of the motor against its speed."},
-    {.path = "drivetrain.motor.model", .type = word, .required = true, .words = "induction|droop|curve|constant_speed",
-     .doc = "induction: after Kloss; droop: a straight line; curve: a table; constant_speed: ideal drive."},
-    {.path = "drivetrain.motor.rated_power", .type = quantity, .dimension = power, .range = positive, .when = "model=induction",
+    {.path = "drivetrain.motor.model", .type = word, .required = true, .words = "induction|double_cage|nema|droop|curve|constant_speed",
+     .doc = "induction: after Kloss; double_cage: with the starting torque of its name plate; nema: a typical motor of a design letter; "
+            "droop: a straight line; curve: a table; constant_speed: ideal drive."},
+    {.path = "drivetrain.motor.rated_power", .type = quantity, .dimension = power, .range = positive, .when = "model=induction|double_cage|nema",
      .doc = "Mechanical power at rated slip."},
     {.path = "drivetrain.motor.synchronous_speed", .type = quantity, .dimension = angular_speed, .range = positive,
-     .when = "model=induction|droop", .doc = "Speed of zero torque."},
+     .when = "model=induction|double_cage|nema|droop", .doc = "Speed of zero torque."},
+    {.path = "drivetrain.motor.design", .type = word, .words = "A|B|C|D", .when = "model=nema",
+     .doc = "NEMA design letter. C is usual for crushers that start under load; D is for flywheel loads."},
     {.path = "drivetrain.motor.rated_slip", .type = quantity, .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
-     .when = "model=induction", .doc = "1 - rated speed / synchronous speed."},
+     .when = "model=induction|double_cage", .doc = "1 - rated speed / synchronous speed."},
     {.path = "drivetrain.motor.breakdown_ratio", .type = quantity, .range = {.low = 1, .high = infinite, .low_open = true},
-     .when = "model=induction", .doc = "Largest torque / rated torque."},
+     .when = "model=induction|double_cage", .doc = "Pull-out torque / rated torque."},
+    {.path = "drivetrain.motor.starting_ratio", .type = quantity, .range = positive, .when = "model=double_cage",
+     .doc = "Torque at standstill / rated torque."},
     {.path = "drivetrain.motor.stall_torque", .type = quantity, .dimension = torque, .range = positive, .when = "model=droop",
      .doc = "Torque at standstill."},
     {.path = "drivetrain.motor.file", .type = file, .when = "model=curve", .doc = "CSV with the header speed_rpm,torque_Nm."},
     {.path = "drivetrain.motor.speed", .type = quantity, .dimension = angular_speed, .range = positive, .when = "model=constant_speed",
      .doc = "Speed of the motor."},
+    {.path = "drivetrain.motor.voltage", .type = quantity, .range = positive,
+     .doc = "Supply / rated voltage, 1 if left out. Torque goes with its square; a droop line is shifted instead. Not with constant_speed."},
+    {.path = "drivetrain.motor.voltage_file", .type = file,
+     .doc = "Instead: CSV with the header time_s,voltage_ratio, straight between the rows, as of a soft starter."},
     {.path = "drivetrain.gear_ratio", .type = quantity, .required = true, .range = positive, .doc = "Motor speed / eccentric speed."},
     {.path = "drivetrain.gear_efficiency", .type = quantity, .fallback = "1", .range = {.low = 0, .high = 1, .low_open = true},
      .doc = "Share of the power that passes the gear."},
@@ -197,11 +206,60 @@ const std::vector<Key> drive_keys = {
     {.path = "drivetrain.losses.no_load", .type = quantity, .dimension = power, .fallback = "0", .range = not_negative,
      .doc = "Power of the idle crusher at rated speed; acts as a constant torque."},
     {.path = "drivetrain.losses.load_factor", .type = quantity, .fallback = "0", .range = not_negative,
-     .doc = "Share of the rock's torque that bushings lose."},
+     .doc = "Share of the rock's torque that bushings lose; leave it at 0 where drivetrain.bearings says it from the forces."},
     {.path = "drivetrain.losses.viscous", .type = quantity, .dimension = rotational_damping, .fallback = "0", .range = not_negative,
      .doc = "Torque / speed of the eccentric."},
     {.path = "drivetrain.start", .type = word, .fallback = "running", .words = "running|rest",
      .doc = "running: at t = 0 the motor just carries the losses; rest: it is switched on at t = 0."},
+};
+
+const std::vector<Key> machine_keys = {
+    {.path = "drivetrain.coupling_spring", .doc = "Compliance between motor and pinion. Without it the shaft is rigid."},
+    {.path = "drivetrain.coupling_spring.stiffness", .type = quantity, .dimension = torque, .required = true, .range = positive,
+     .doc = "Torque / twist, at the motor's shaft (N m per rad)."},
+    {.path = "drivetrain.coupling_spring.damping", .type = quantity, .dimension = rotational_damping, .fallback = "0", .range = not_negative,
+     .doc = "Torque / speed of twist."},
+
+    {.path = "drivetrain.mantle_inertia", .type = quantity, .dimension = inertia, .range = positive,
+     .doc = "Of the mantle with its shaft, about its own axis. With it the mantle spins freely between bushing, spider and rock; without, not at all."},
+    {.path = "drivetrain.bearings", .doc = "Dry friction of the bearings that carry the crushing force: friction x radius x (idle_force + force of the rock)."},
+    {.path = "drivetrain.bearings.bushing_depth", .type = quantity, .dimension = length, .required = true, .range = positive,
+     .doc = "Height from the eccentric's bushings up to the pivot."},
+    {.path = "drivetrain.bearings.outer", .doc = "Eccentric in the frame: brakes the eccentric."},
+    {.path = "drivetrain.bearings.outer.friction", .type = quantity, .required = true, .range = not_negative, .doc = "Coefficient; oil-fed bronze 0.003 to 0.01."},
+    {.path = "drivetrain.bearings.outer.radius", .type = quantity, .dimension = length, .required = true, .range = positive, .doc = "Of the sliding surface."},
+    {.path = "drivetrain.bearings.outer.idle_force", .type = quantity, .dimension = force, .fallback = "0", .range = not_negative,
+     .doc = "Force without rock, from weight and unbalance."},
+    {.path = "drivetrain.bearings.inner", .doc = "Mantle's shaft in the eccentric: drags the mantle along with the eccentric."},
+    {.path = "drivetrain.bearings.inner.friction", .type = quantity, .required = true, .range = not_negative, .doc = "Coefficient."},
+    {.path = "drivetrain.bearings.inner.radius", .type = quantity, .dimension = length, .required = true, .range = positive, .doc = "Of the sliding surface."},
+    {.path = "drivetrain.bearings.inner.idle_force", .type = quantity, .dimension = force, .fallback = "0", .range = not_negative,
+     .doc = "Force without rock, from weight and unbalance."},
+    {.path = "drivetrain.bearings.spider", .doc = "Mantle's shaft in the spider, at the pivot: holds the mantle back."},
+    {.path = "drivetrain.bearings.spider.friction", .type = quantity, .required = true, .range = not_negative, .doc = "Coefficient."},
+    {.path = "drivetrain.bearings.spider.radius", .type = quantity, .dimension = length, .required = true, .range = positive, .doc = "Of the sliding surface."},
+    {.path = "drivetrain.bearings.spider.idle_force", .type = quantity, .dimension = force, .fallback = "0", .range = not_negative,
+     .doc = "Force without rock, from weight and unbalance."},
+
+    {.path = "drivetrain.protection", .doc = "Relays that switch the motor off, and what comes after. Currents are relative to the rated one."},
+    {.path = "drivetrain.protection.overload_time", .type = quantity, .dimension = Dimension::time, .range = positive,
+     .doc = "Inverse-time relay: time constant of the thermal image, which trips at overload_ratio^2 (IEC 60255-149)."},
+    {.path = "drivetrain.protection.overload_ratio", .type = quantity, .fallback = "1.05", .range = positive,
+     .doc = "Current that the thermal image carries for ever."},
+    {.path = "drivetrain.protection.instantaneous_ratio", .type = quantity, .range = positive, .doc = "Current that trips at once; above that of the start."},
+    {.path = "drivetrain.protection.under_speed", .type = quantity, .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
+     .doc = "Share of the idle speed; slower than this for under_speed_delay trips, once it has been faster."},
+    {.path = "drivetrain.protection.under_speed_delay", .type = quantity, .dimension = Dimension::time, .fallback = "0", .range = not_negative,
+     .doc = "Time below under_speed before it trips."},
+    {.path = "drivetrain.protection.rated_torque", .type = quantity, .dimension = torque, .range = positive,
+     .doc = "Of the motor: its current is |torque| / rated_torque. For droop and curve, where a relay looks at the current."},
+    {.path = "drivetrain.protection.brake_torque", .type = quantity, .dimension = torque, .fallback = "0", .range = not_negative,
+     .doc = "Dry brake at the motor's shaft from a trip to the restart; 0: the machine coasts."},
+    {.path = "drivetrain.protection.restart_delay", .type = quantity, .dimension = Dimension::time, .range = positive,
+     .doc = "From a trip to the restart; without it the motor stays off."},
+    {.path = "drivetrain.protection.restarts", .type = integer, .fallback = "1", .range = {.low = 0, .high = 1000}, .doc = "Restarts at most."},
+    {.path = "drivetrain.protection.restart_sense", .type = word, .fallback = "same", .words = "same|reversed",
+     .doc = "reversed: each restart changes the sense of rotation, to clear the chamber."},
 };
 
 const std::vector<Key> run_keys = {
@@ -234,7 +292,8 @@ const std::vector<Key> run_keys = {
 
 std::vector<Key> all_keys() {
   std::vector<Key> all;
-  for (const auto* group : {&identity_keys, &material_keys, &rock_keys, &wall_keys, &drive_keys, &run_keys})
+  for (const auto* group :
+       {&identity_keys, &material_keys, &rock_keys, &wall_keys, &drive_keys, &machine_keys, &run_keys})
     all.insert(all.end(), group->begin(), group->end());
   return all;
 }

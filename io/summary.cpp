@@ -41,6 +41,9 @@ std::string to_string(RunStatus status) {
 }
 
 std::string to_json(const Summary& s) {
+  Json events = Json::array();
+  for (const DriveHappening& event : s.drive_events)
+    events.push_back({{"time", number(event.time)}, {"event", event.what}});
   const Json json = {{"status", to_string(s.status)},
                      {"reason", text_or_null(s.reason)},
                      {"title", s.title},
@@ -67,7 +70,8 @@ std::string to_json(const Summary& s) {
                      {"energy_residual_fraction", number(s.energy_residual_fraction)},
                      {"mass_residual_fraction", number(s.mass_residual_fraction)},
                      {"max_overlap_ratio", number(s.max_overlap_ratio)},
-                     {"stalled", s.stalled}};
+                     {"stalled", s.stalled},
+                     {"drive_events", events}};
   // A title may hold bytes that are no UTF-8; they must not cost the summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gyro {
 
@@ -17,6 +18,12 @@ enum class RunStatus {
 
 /// @returns the word used in summary.json
 std::string to_string(RunStatus status);
+
+/// Something that happened to the drive: a stall, a trip, a restart.
+struct DriveHappening {
+  double time;  ///< [s]
+  std::string what;
+};
 
 /// What a run came to. A quantity that the case does not define, or that is not finite, is null in JSON.
 struct Summary {
@@ -40,6 +47,7 @@ struct Summary {
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
   bool stalled = false;
+  std::vector<DriveHappening> drive_events = {};  ///< in order; empty without a drivetrain
 };
 
 /// summary.json as text.

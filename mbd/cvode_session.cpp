@@ -71,7 +71,8 @@ void free_memory(void* memory) {
 
 struct CvodeSession::Implementation {
   Rate rate;
-  Event event;
+  Events events;
+  int event_count;
   double first_step;
   std::exception_ptr thrown;  ///< by rate or event; C code must not see it
   Owned<SUNContext, free_context> context;
@@ -80,7 +81,7 @@ struct CvodeSession::Implementation {
   Owned<SUNLinearSolver, SUNLinSolFree> solver;
   Owned<void*, free_memory> memory;
 
-  Implementation(const Settings& settings, Rate rate_of, Event event_of);
+  Implementation(const Settings& settings, Rate rate_of, Events events_of, int count);
 
   /// Calls `work`; keeps what it throws and returns CVODE's "cannot go on".
   template <class Work>
@@ -97,15 +98,16 @@ struct CvodeSession::Implementation {
     auto& me = *static_cast<Implementation*>(self);
     return me.guarded([&] { me.rate(values(y), values(rate)); });
   }
-  static int call_event(realtype, N_Vector y, realtype* value, void* self) {
+  static int call_events(realtype, N_Vector y, realtype* value, void* self) {
     auto& me = *static_cast<Implementation*>(self);
-    return me.guarded([&] { *value = me.event(values(y)); });
+    return me.guarded([&] { me.events(values(y), {value, static_cast<std::size_t>(me.event_count)}); });
   }
 };
 
-CvodeSession::Implementation::Implementation(const Settings& settings, Rate rate_of, Event event_of)
+CvodeSession::Implementation::Implementation(const Settings& settings, Rate rate_of, Events events_of, int count)
     : rate(std::move(rate_of)),
-      event(std::move(event_of)),
+      events(std::move(events_of)),
+      event_count(count),
       first_step(settings.first_step),
       context(create_context()),
       y(N_VNew_Serial(settings.size, context)),
@@ -121,14 +123,19 @@ CvodeSession::Implementation::Implementation(const Settings& settings, Rate rate
   require(CVodeSetLinearSolver(memory, solver, matrix), "CVodeSetLinearSolver");
   require(CVodeSetMaxNumSteps(memory, most_steps), "CVodeSetMaxNumSteps");
   require(CVodeSetErrHandlerFn(memory, say_nothing, nullptr), "CVodeSetErrHandlerFn");
-  if (event) {
-    require(CVodeRootInit(memory, 1, call_event), "CVodeRootInit");
+  if (event_count > 0) {
+    require(CVodeRootInit(memory, event_count, call_events), "CVodeRootInit");
     require(CVodeSetNoInactiveRootWarn(memory), "CVodeSetNoInactiveRootWarn");
   }
 }
 
 CvodeSession::CvodeSession(const Settings& settings, Rate rate, Event event)
-    : implementation_(std::make_unique<Implementation>(settings, std::move(rate), std::move(event))) {}
+    : CvodeSession(
+          settings, std::move(rate),
+          [event](std::span<const double> y, std::span<double> value) { value[0] = event(y); }, event ? 1 : 0) {}
+CvodeSession::CvodeSession(const Settings& settings, Rate rate, Events events, int event_count)
+    : implementation_(std::make_unique<Implementation>(settings, std::move(rate), std::move(events), event_count)),
+      fired_(static_cast<std::size_t>(event_count)) {}
 CvodeSession::~CvodeSession() = default;
 CvodeSession::CvodeSession(CvodeSession&&) noexcept = default;
 CvodeSession& CvodeSession::operator=(CvodeSession&&) noexcept = default;
@@ -148,7 +155,14 @@ double CvodeSession::integrate(double duration, std::span<double> y) {
   if (!finite(values(cvode.y)))
     throw StoppedByGuard("the drivetrain's speed is not finite; check the load on the mantle");
   std::ranges::copy(values(cvode.y), y.begin());
+  note_roots(flag == CV_ROOT_RETURN);
   return flag == CV_ROOT_RETURN ? time : duration;
+}
+
+void CvodeSession::note_roots(bool found) {
+  std::vector<int> roots(fired_.size(), 0);
+  if (found) require(CVodeGetRootInfo(implementation_->memory, roots.data()), "CVodeGetRootInfo");
+  for (std::size_t k = 0; k < roots.size(); ++k) fired_[k] = roots[k] != 0;
 }
 
 long CvodeSession::rate_evaluations() const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace gyro {
 
@@ -20,6 +21,8 @@ class CvodeSession {
   using Rate = std::function<void(std::span<const double> y, std::span<double> rate)>;
   /// Watched for a zero, where the integration ends.
   using Event = std::function<double(std::span<const double> y)>;
+  /// Several of them: writes each into `values`.
+  using Events = std::function<void(std::span<const double> y, std::span<double> values)>;
 
   struct Settings {
     int size = 0;                                ///< components of y
@@ -30,22 +33,30 @@ class CvodeSession {
 
   /// @param event  may be empty: then nothing is watched
   CvodeSession(const Settings& settings, Rate rate, Event event);
+  /// @param events  `event_count` of them, watched together
+  CvodeSession(const Settings& settings, Rate rate, Events events, int event_count);
   ~CvodeSession();
   CvodeSession(CvodeSession&&) noexcept;
   CvodeSession& operator=(CvodeSession&&) noexcept;
 
   /// Integrates y in place, from time 0 to `duration` > 0 [s], or to the event if that comes first.
-  /// A zero of the event at the start does not count when the solution moves away from it.
-  /// @return the time reached [s]; less than `duration` only at the event
+  /// A zero of an event at the start does not count when the solution moves away from it.
+  /// @return the time reached [s]; less than `duration` only at an event
   /// @throws StoppedByGuard when CVODE gives up or a value is not finite; what `rate` throws is passed on
   double integrate(double duration, std::span<double> y);
+
+  /// Whether the last integration ended at the zero of this event (two may be zero at once).
+  bool fired(int event) const { return fired_.at(static_cast<std::size_t>(event)); }
 
   /// Evaluations of f in the last integration, without those for the Jacobian.
   long rate_evaluations() const;
 
  private:
+  void note_roots(bool found);
+
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
+  std::vector<bool> fired_;
 };
 
 }  // namespace gyro

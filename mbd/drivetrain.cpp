@@ -17,74 +17,118 @@ bool same(const Window& a, const Window& b) {
   return a.first_step == b.first_step && a.steps == b.steps && a.dt == b.dt;
 }
 
-ShaftMotion motion_of(const DrivetrainState& state) {
-  return {state.speed, static_cast<int>(state.direction)};
-}
-
 }  // namespace
 
 Drivetrain::Drivetrain(const DrivetrainParameters& parameters) : parameters_(parameters), shaft_(parameters) {
   state_.angle = state_.wall_angle = parameters.start_angle;
-  if (parameters.start == DrivetrainStart::running) {
-    state_.speed = idle_speed(parameters);
-    state_.direction = +1;
-  }
+  set_motion(shaft_.start(parameters));
   state_.start_energy = kinetic_energy();
+}
+
+ShaftMotion Drivetrain::motion() const {
+  const DrivetrainState& s = state_;
+  return {s.speed, static_cast<int>(s.direction), s.spin, static_cast<int>(s.slip), s.motor_speed, s.twist, s.time,
+          s.motor};
+}
+
+void Drivetrain::set_motion(const ShaftMotion& motion) {
+  state_.speed = motion.speed;
+  state_.direction = motion.direction;
+  state_.spin = motion.spin;
+  state_.slip = motion.slip;
+  state_.motor_speed = motion.motor_speed;
+  state_.twist = motion.twist;
+  state_.motor = motion.motor;
+}
+
+ShaftLoad Drivetrain::last_load() const {
+  return {state_.rock_torque, state_.spin_torque, {state_.bushing_force, state_.spider_force}};
 }
 
 MantlePath Drivetrain::predict(const Window& window) {
   predicted_ = window;
-  MantlePath path{.angle = state_.wall_angle, .spin_angle = state_.spin_angle, .spin = state_.spin};
+  const double length = window.length();
+  MantlePath path{.angle = state_.wall_angle, .spin_angle = state_.wall_spin_angle, .spin = state_.spin};
+  ShaftMotion ahead = motion();
+  const ShaftTurn turn = shaft_.turn(length, last_load(), ahead);
   if (shaft_.constant_speed()) {
     path.angle = parameters_.start_angle + state_.speed * window.begin();
     path.speed = state_.speed;
   } else {
-    ShaftMotion motion = motion_of(state_);
-    const ShaftTurn ahead = shaft_.turn(window.length(), state_.rock_torque, motion);
     // A stuck shaft holds the wall where it is, a hair from its own angle: closing that gap would
     // move a wall that must stand still.
-    const bool still = ahead.angle == 0 && motion.direction == 0;
-    path.speed = still ? 0 : (state_.angle + ahead.angle - state_.wall_angle) / window.length();
+    const bool still = turn.angle == 0 && ahead.direction == 0;
+    path.speed = still ? 0 : (state_.angle + turn.angle - state_.wall_angle) / length;
   }
-  path_angle_ = path.speed * window.length();
+  const bool spinless = turn.spun == 0 && ahead.spin == 0;
+  path.spin = spinless ? 0 : (state_.spin_angle + turn.spun - state_.wall_spin_angle) / length;
+  path_angle_ = path.speed * length;
+  path_spin_angle_ = path.spin * length;
   state_.wall_angle = path.angle + path_angle_;
+  state_.wall_spin_angle = path.spin_angle + path_spin_angle_;
   return path;
 }
 
+/// The power of the rock is T_c theta' - T_s sigma; the spin's share is taken out before the rest is a torque.
 double Drivetrain::mean_rock_torque(const MantleLoad& load) const {
-  if (!std::isfinite(load.work) || !std::isfinite(load.resisting_torque))
-    throw StoppedByGuard("the load of the rock on the mantle is not finite; check the time step and the rock");
-  return std::abs(path_angle_) > smallest_turn ? load.work / path_angle_ : load.resisting_torque;
+  for (const double value :
+       {load.work, load.resisting_torque, load.spin_torque, load.bearings.bushing, load.bearings.spider})
+    if (!std::isfinite(value))
+      throw StoppedByGuard("the load of the rock on the mantle is not finite; check the time step and the rock");
+  if (std::abs(path_angle_) <= smallest_turn) return load.resisting_torque;
+  return (load.work + load.spin_torque * path_spin_angle_) / path_angle_;
 }
 
 void Drivetrain::advance(const Window& window, const MantleLoad& load) {
   if (!predicted_ || !same(*predicted_, window))
     throw std::logic_error("drivetrain: advance() on a window not predicted");
-  const double rock_torque = mean_rock_torque(load);
-  const double length = window.length();
-  ShaftMotion motion = motion_of(state_);
-  const ShaftTurn turn = shaft_.turn(length, rock_torque, motion);
+  state_.rock_torque = mean_rock_torque(load);
+  state_.spin_torque = load.spin_torque;
+  state_.bushing_force = load.bearings.bushing;
+  state_.spider_force = load.bearings.spider;
+  ShaftMotion moved = motion();
+  const ShaftTurn turn = shaft_.turn(window.length(), last_load(), moved);
   predicted_.reset();
+  state_.rock_work += load.work;
+  take_up(window, turn, moved);
+  means_.crushing_power = load.work / window.length();
+  means_.power_residual = (turn.motor_work - turn.loss_work - load.work - turn.kinetic_gain) / window.length();
+}
 
-  if (turn.stopped_after >= 0 && !stalled()) state_.stall_time = window.begin() + turn.stopped_after;
+void Drivetrain::take_up(const Window& window, const ShaftTurn& turn, const ShaftMotion& moved) {
+  for (const DriveEvent& event : turn.events) keep(event);
+  set_motion(moved);
   state_.time = window.end();
   state_.angle =
       shaft_.constant_speed() ? parameters_.start_angle + state_.speed * window.end() : state_.angle + turn.angle;
-  state_.speed = motion.speed;
-  state_.direction = motion.direction;
-  state_.rock_torque = rock_torque;
+  state_.spin_angle += turn.spun;
   state_.motor_work += turn.motor_work;
   state_.loss_work += turn.loss_work;
-  state_.rock_work += load.work;
-
+  const double length = window.length();
   means_.eccentric_speed = turn.angle / length;
-  means_.motor_speed = parameters_.gear_ratio * means_.eccentric_speed;
+  means_.mantle_spin = turn.spun / length;
+  means_.motor_speed = turn.motor_angle / length;
   means_.motor_torque = turn.motor_impulse / length;
-  means_.mantle_torque = rock_torque;
+  means_.mantle_torque = state_.rock_torque;
   means_.motor_power = turn.motor_work / length;
   means_.loss_power = turn.loss_work / length;
-  means_.crushing_power = load.work / length;
-  means_.power_residual = (turn.motor_work - turn.loss_work - load.work - turn.kinetic_gain) / length;
+}
+
+void Drivetrain::keep(const DriveEvent& event) {
+  const auto number = static_cast<std::size_t>(state_.events);
+  if (number < DrivetrainState::most_events) {
+    state_.event_time[number] = event.time;
+    state_.event_kind[number] = static_cast<double>(event.kind);
+  }
+  ++state_.events;
+  if (event.kind == DriveEventKind::stall && !stalled()) state_.stall_time = event.time;
+}
+
+std::vector<DriveEvent> Drivetrain::events() const {
+  std::vector<DriveEvent> kept;
+  for (std::size_t k = 0; k < DrivetrainState::most_events && static_cast<double>(k) < state_.events; ++k)
+    kept.push_back({state_.event_time[k], static_cast<DriveEventKind>(static_cast<int>(state_.event_kind[k]))});
+  return kept;
 }
 
 void Drivetrain::restore(const DrivetrainState& state) {
@@ -92,8 +136,16 @@ void Drivetrain::restore(const DrivetrainState& state) {
   predicted_.reset();
 }
 
+double Drivetrain::motor_speed() const {
+  return shaft_.motor_speed(motion());
+}
+
+double Drivetrain::kinetic_energy() const {
+  return shaft_.energy(motion());
+}
+
 double Drivetrain::motor_torque() const {
-  return shaft_.motor_torque_now(motion_of(state_), state_.rock_torque);
+  return shaft_.motor_torque_now(motion(), last_load());
 }
 
 double Drivetrain::energy_residual() const {

@@ -5,6 +5,7 @@
 #include "mbd/drivetrain_parameters.hpp"
 #include "mbd/shaft.hpp"
 
+#include <array>
 #include <optional>
 
 namespace gyro {
@@ -16,30 +17,44 @@ struct MantleLoad {
   /// [N m]: T_c = -M_O . (z - (z.u) u), with M_O the rock's moment on the mantle about the pivot and u
   /// the mantle's axis. Asked for only while the mantle stands still, where work says nothing.
   double resisting_torque = 0;
+  double spin_torque = 0;    ///< mean of M_O . u: of the rock on the mantle about its own axis [N m]
+  BearingForces bearings{};  ///< [N]
 };
 
 /// Everything the drivetrain carries from window to window, as plain numbers: a checkpoint saves
 /// and restores it bit for bit.
 struct DrivetrainState {
-  double time = 0;          ///< [s]
-  double angle = 0;         ///< of the eccentric, continuous over turns [rad]
-  double speed = 0;         ///< of the eccentric [rad/s]
-  double direction = 0;     ///< +1 forward, 0 stuck, -1 backward
-  double wall_angle = 0;    ///< eccentric angle to which the last predicted path has led [rad]
-  double rock_torque = 0;   ///< of the last window; the next prediction holds it [N m]
-  double spin_angle = 0;    ///< of the mantle about its own axis [rad]; prescribed 0
-  double spin = 0;          ///< [rad/s]; prescribed 0
-  double stall_time = -1;   ///< first halt of forward motion [s]; < 0: none so far
-  double motor_work = 0;    ///< of the motor on its shaft, since time 0 [J]
-  double loss_work = 0;     ///< in bushings, bearings and gear, since time 0 [J]
-  double rock_work = 0;     ///< of the mantle on the rock, as the DEM counted it, since time 0 [J]
-  double start_energy = 0;  ///< kinetic, at time 0 [J]
+  double time = 0;             ///< [s]
+  double angle = 0;            ///< of the eccentric, continuous over turns [rad]
+  double speed = 0;            ///< of the eccentric [rad/s]
+  double direction = 0;        ///< +1 forward, 0 stuck, -1 backward
+  double wall_angle = 0;       ///< eccentric angle to which the last predicted path has led [rad]
+  double rock_torque = 0;      ///< of the last window; the next prediction holds it [N m]
+  double spin_angle = 0;       ///< of the mantle about its own axis [rad]
+  double spin = 0;             ///< [rad/s]; 0 where the mantle has no inertia of its own
+  double slip = 0;             ///< of the mantle in the eccentric: 0 dragged along, +1 ahead, -1 lags
+  double wall_spin_angle = 0;  ///< spin angle to which the last predicted path has led [rad]
+  double spin_torque = 0;      ///< of the last window [N m]
+  double bushing_force = 0;    ///< of the last window [N]
+  double spider_force = 0;     ///< of the last window [N]
+  double motor_speed = 0;      ///< with a coupling spring [rad/s]
+  double twist = 0;            ///< of the coupling spring, at the motor's shaft [rad]
+  double stall_time = -1;      ///< first halt of forward motion against the motor's torque [s]; < 0: none so far
+  double motor_work = 0;       ///< of the motor on its shaft, since time 0 [J]
+  double loss_work = 0;        ///< in bushings, bearings, gear, coupling and brake, since time 0 [J]
+  double rock_work = 0;        ///< of the mantle on the rock, as the DEM counted it, since time 0 [J]
+  double start_energy = 0;     ///< kinetic, and of the coupling spring, at time 0 [J]
+  SwitchState motor{};
+  static constexpr std::size_t most_events = 32;
+  double events = 0;  ///< so far; the first most_events are kept
+  std::array<double, most_events> event_time{}, event_kind{};
 };
 
 /// Means over the last window, for the series.
 struct DrivetrainMeans {
   double motor_speed = 0;      ///< [rad/s]
   double eccentric_speed = 0;  ///< [rad/s]
+  double mantle_spin = 0;      ///< [rad/s]
   double motor_torque = 0;     ///< at the motor's shaft [N m]
   double mantle_torque = 0;    ///< of the rock at the eccentric, positive when it resists [N m]
   double motor_power = 0;      ///< mechanical, at the motor's shaft [W]
@@ -78,27 +93,33 @@ class Drivetrain {
   /// Goes on from a checkpoint of a drivetrain with the same parameters.
   void restore(const DrivetrainState& state);
 
-  const DrivetrainMeans& means() const { return means_; }                        ///< over the last window
-  double motor_speed() const { return parameters_.gear_ratio * state_.speed; }   ///< now [rad/s]
-  double motor_torque() const;                                                   ///< now, at the motor's shaft [N m]
-  double motor_power() const { return motor_torque() * motor_speed(); }          ///< now, mechanical [W]
-  double kinetic_energy() const { return shaft_.kinetic_energy(state_.speed); }  ///< now [J]
+  const DrivetrainMeans& means() const { return means_; }                ///< over the last window
+  double motor_speed() const;                                            ///< now [rad/s]
+  double motor_torque() const;                                           ///< now, at the motor's shaft [N m]
+  double motor_power() const { return motor_torque() * motor_speed(); }  ///< now, mechanical [W]
+  double kinetic_energy() const;                                         ///< now, with the coupling spring's [J]
   /// Motor work - losses - rock work - gain of kinetic energy, since time 0 [J].
   double energy_residual() const;
   bool stuck() const { return state_.direction == 0; }     ///< stands still now
   bool stalled() const { return state_.stall_time >= 0; }  ///< forward motion has come to a halt at least once
   std::optional<double> stall_time() const;                ///< of the first stall [s]
+  std::vector<DriveEvent> events() const;                  ///< the first most_events of the run
 
  private:
   /// Rock torque from the work along the path, or as given when the path has no length.
   double mean_rock_torque(const MantleLoad& load) const;
+  ShaftMotion motion() const;
+  void set_motion(const ShaftMotion& motion);
+  ShaftLoad last_load() const;
+  void take_up(const Window& window, const ShaftTurn& turn, const ShaftMotion& motion);
+  void keep(const DriveEvent& event);
 
   DrivetrainParameters parameters_;
   Shaft shaft_;
   DrivetrainState state_;
   DrivetrainMeans means_;
-  std::optional<Window> predicted_;  ///< window whose load is awaited
-  double path_angle_ = 0;            ///< turned by the wall in it [rad]
+  std::optional<Window> predicted_;              ///< window whose load is awaited
+  double path_angle_ = 0, path_spin_angle_ = 0;  ///< turned by the wall in it [rad]
 };
 
 }  // namespace gyro

@@ -3,7 +3,9 @@
 
 #include "core/base/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace gyro {
@@ -15,8 +17,10 @@ double no_load_speed(const Motor& motor) {
 
 /// Torque of the motor less the losses, at the eccentric, without rock, while it turns forward [N m].
 double idle_surplus(const DrivetrainParameters& parameters, double motor_speed) {
-  const double driving = parameters.transmission().torque_at_eccentric(motor_torque(parameters.motor, motor_speed), +1);
-  return driving - parameters.eccentric_losses().torque(motor_speed / parameters.gear_ratio, +1, 0);
+  const double at_motor = motor_torque(parameters.motor, motor_speed, parameters.voltage.at(0));
+  return parameters.transmission().torque_at_eccentric(at_motor, +1) -
+         parameters.eccentric_losses().torque(motor_speed / parameters.gear_ratio, +1, 0) -
+         idle_mantle(parameters).torque;
 }
 
 /// Halves [driving, braking] until neighbouring numbers are left.
@@ -36,7 +40,78 @@ bool at_least_zero(double value) {
   return std::isfinite(value) && value >= 0;
 }
 
+void check_bearings(const DrivetrainParameters& p) {
+  bool any = false;
+  for (const Bearing* bearing : {&p.bearings.outer, &p.bearings.inner, &p.bearings.spider}) {
+    require(at_least_zero(bearing->friction) && at_least_zero(bearing->radius) && at_least_zero(bearing->idle_force),
+            "a bearing's friction, radius or idle_force is negative or not a number; accepted are numbers >= 0");
+    any = any || bearing->friction > 0;
+  }
+  require(!any || (std::isfinite(p.bearings.depth) && p.bearings.depth > 0),
+          "the bearings have friction, but the depth of the bushings below the pivot is not > 0; accepted is a length");
+  require(p.bearings.tilt_sine >= 0 && p.bearings.tilt_sine < 1, "the tilt of the mantle is outside [0, 1)");
+  require(at_least_zero(p.mantle_inertia), "mantle inertia is negative or not a number; accepted is a number >= 0");
+}
+
+void check_supply(const DrivetrainParameters& p) {
+  const VoltageInput& v = p.voltage;
+  require(v.times.size() == v.ratios.size(), "the voltage has not as many ratios as times");
+  require(std::ranges::all_of(v.ratios, at_least_zero), "a voltage is negative or not a number; accepted is >= 0");
+  require(v.times.empty() || v.times.front() == 0,
+          "the voltage does not begin at time 0; accepted is a first time of 0");
+  require(std::ranges::adjacent_find(v.times, [](double a, double b) { return !(a < b); }) == v.times.end(),
+          "the times of the voltage do not increase; accepted is each time after the one before");
+  const bool ideal = std::holds_alternative<ConstantSpeedMotor>(p.motor);
+  require(!ideal || v.times.empty(), "a constant-speed motor has no voltage; accepted is another motor, or none");
+  require(!ideal || p.spring.stiffness == 0,
+          "a constant-speed motor has no coupling spring; accepted is another motor");
+  require(at_least_zero(p.spring.stiffness) && at_least_zero(p.spring.damping),
+          "the coupling spring is negative or not a number; accepted are numbers >= 0");
+  require(p.spring.stiffness == 0 || (p.motor_inertia > 0 && p.eccentric_inertia > 0),
+          "a coupling spring needs an inertia on either side; accepted are inertias of motor and eccentric > 0");
+}
+
+void check_protection(const DrivetrainParameters& p) {
+  const ProtectionParameters& r = p.protection;
+  if (!r.any()) return;
+  require(!std::holds_alternative<ConstantSpeedMotor>(p.motor),
+          "a constant-speed motor has no relays; accepted is another motor, or no protection");
+  for (const double value :
+       {r.overload_time, r.instantaneous_ratio, r.under_speed_delay, r.brake_torque, r.restart_delay, r.rated_torque})
+    require(at_least_zero(value), "a value of the protection is negative or not a number; accepted is >= 0");
+  require(std::isfinite(r.overload_ratio) && r.overload_ratio > 0, "overload_ratio is not > 0; usual is 1.05");
+  require(r.under_speed >= 0 && r.under_speed < 1, "under_speed is outside [0, 1); accepted is e.g. 0.5");
+  require(r.restarts >= 0, "restarts is negative; accepted is 0 or more");
+  require((r.overload_time == 0 && r.instantaneous_ratio == 0) || p.rated_motor_torque() > 0,
+          "relays that look at the current need the rated_torque of a motor without a name plate");
+}
+
 }  // namespace
+
+double VoltageInput::at(double time) const {
+  if (times.empty()) return 1;
+  const auto next = std::ranges::upper_bound(times, time);
+  if (next == times.end()) return ratios.back();
+  const std::size_t k = static_cast<std::size_t>(next - times.begin());
+  if (k == 0) return ratios.front();
+  return ratios[k - 1] + (ratios[k] - ratios[k - 1]) * (time - times[k - 1]) / (times[k] - times[k - 1]);
+}
+
+double DrivetrainParameters::rated_motor_torque() const {
+  const double rated = rated_torque_of(motor);
+  return rated > 0 ? rated : protection.rated_torque;
+}
+
+IdleMantle idle_mantle(const DrivetrainParameters& p) {
+  const double outer = p.bearings.outer.torque(0), inner = p.bearings.inner.torque(0);
+  const double spider = p.bearings.spider.torque(0), sine = p.bearings.tilt_sine;
+  const double cosine = std::sqrt((1 - sine) * (1 + sine));
+  if (!(p.mantle_inertia > 0)) return {0, -1, outer + inner * cosine + spider * sine};
+  if (inner >= spider * cosine) return {cosine, 0, outer + spider};
+  // It lags until the spider's share about the mantle's axis is what the bushing passes on.
+  const double share = inner / spider, across = std::sqrt(1 - share * share);
+  return {sine * share / across, -1, outer + inner * cosine + spider * sine * across};
+}
 
 Losses DrivetrainParameters::eccentric_losses() const {
   const double rated = std::visit([](const auto& law) { return law.rated_speed(); }, motor);
@@ -74,6 +149,10 @@ void check_drivetrain(const DrivetrainParameters& parameters) {
   require(at_least_zero(p.losses.load_factor), "load_factor is negative or not a number; accepted is a number >= 0");
   require(at_least_zero(p.losses.viscous), "viscous is negative or not a number; accepted is a number >= 0");
   require(std::isfinite(p.start_angle), "start angle is not a number; accepted is a finite angle");
+
+  check_bearings(p);
+  check_supply(p);
+  check_protection(p);
 
   const bool ideal = std::holds_alternative<ConstantSpeedMotor>(p.motor);
   if (p.start == DrivetrainStart::running) {

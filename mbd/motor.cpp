@@ -11,24 +11,6 @@
 
 namespace gyro {
 
-double InductionMotor::rated_torque() const {
-  return rated_power / rated_speed();
-}
-
-double InductionMotor::breakdown_torque() const {
-  return breakdown_ratio * rated_torque();
-}
-
-double InductionMotor::breakdown_slip() const {
-  return rated_slip * (breakdown_ratio + std::sqrt(breakdown_ratio * breakdown_ratio - 1));
-}
-
-double InductionMotor::torque(double speed) const {
-  const double slip = (synchronous_speed - speed) / synchronous_speed;
-  const double breakdown = breakdown_slip();
-  return 2 * breakdown_torque() * slip * breakdown / (slip * slip + breakdown * breakdown);
-}
-
 DroopMotor paper_droop() {
   const double rpm = std::numbers::pi / 30;
   const double gear_ratio = 3.75;
@@ -67,6 +49,12 @@ void check(const InductionMotor& motor) {
     throw BadInput("motor: breakdown_ratio is not above 1; accepted is a number > 1, usually 1.75 to 3");
 }
 
+void check(const DoubleCageMotor& motor) {
+  check(InductionMotor{motor.rated_power, motor.synchronous_speed, motor.rated_slip, motor.breakdown_ratio});
+  require_positive(motor.starting_ratio, "starting_ratio");
+  require_positive(motor.inner.breakdown_torque, "torque of the inner cage");
+}
+
 void check(const DroopMotor& motor) {
   require_positive(motor.synchronous_speed, "synchronous_speed");
   require_positive(motor.stall_torque, "stall_torque");
@@ -96,13 +84,40 @@ void check(const ConstantSpeedMotor& motor) {
   require_positive(motor.speed, "speed");
 }
 
+/// Torque of a law at a voltage: squared for all but the droop, whose speed of zero torque moves instead.
+template <class Law>
+double torque_of(const Law& law, double speed, double voltage) {
+  return voltage * voltage * law.torque(speed);
+}
+double torque_of(const DroopMotor& law, double speed, double voltage) {
+  return law.stall_torque * (voltage - speed / law.synchronous_speed);
+}
+double torque_of(const ConstantSpeedMotor&, double, double) {
+  return 0;
+}
+
 }  // namespace
 
-double motor_torque(const Motor& motor, double speed) {
+double motor_torque(const Motor& motor, double speed, double voltage) {
+  return std::visit([&](const auto& law) { return torque_of(law, speed, voltage); }, motor);
+}
+
+double motor_current(const Motor& motor, double speed, double voltage, double rated_torque) {
   return std::visit(
-      [speed](const auto& law) -> double {
-        if constexpr (requires { law.torque(speed); })
-          return law.torque(speed);
+      [&](const auto& law) {
+        if constexpr (requires { law.current(speed); })
+          return voltage * law.current(speed);
+        else
+          return std::abs(torque_of(law, speed, voltage)) / rated_torque;
+      },
+      motor);
+}
+
+double rated_torque_of(const Motor& motor) {
+  return std::visit(
+      [](const auto& law) -> double {
+        if constexpr (requires { law.rated_torque(); })
+          return law.rated_torque();
         else
           return 0;
       },

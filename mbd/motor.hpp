@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mbd/induction.hpp"
+
 #include <variant>
 #include <vector>
 
@@ -9,33 +11,6 @@
 // turns forward (generator). The electrical transients of the motor (some 10 ms) are left out.
 
 namespace gyro {
-
-/// Induction motor after Kloss (1916), from the figures of its name plate.
-///
-///   T(s) = 2 Tb s sb / (s^2 + sb^2),   s = 1 - speed / synchronous_speed
-///   Tb = breakdown_ratio TN,  TN = rated_power / ((1 - sN) synchronous_speed)
-///   sb = sN (lambda + sqrt(lambda^2 - 1)),  lambda = breakdown_ratio
-///
-/// so that T(sN) = TN. This form has no 0/0 at s = 0 and holds on every branch: s < 0 brakes
-/// (generator), 0 < s < 1 drives, s > 1 is a shaft that turns backwards (plugging).
-/// Limit: the stator's resistance is left out, so the starting torque 2 Tb / (sb + 1/sb) is lower
-/// (0.4 TN for sN 1.67 %, lambda 2.5) than that of real crusher motors (about 2 TN, NEMA C): give
-/// a CurveMotor where the start under load matters.
-struct InductionMotor {
-  double rated_power = 0;        ///< mechanical, at the shaft [W]
-  double synchronous_speed = 0;  ///< [rad/s]
-  double rated_slip = 0;         ///< sN, 0 < sN < 1 [-]
-  double breakdown_ratio = 0;    ///< largest torque / rated torque, > 1 [-]
-
-  double rated_torque() const;      ///< TN [N m]
-  double breakdown_torque() const;  ///< Tb [N m]
-  double breakdown_slip() const;    ///< sb [-]
-  double torque(double speed) const;
-  /// Speed of zero torque [rad/s].
-  double no_load_speed() const { return synchronous_speed; }
-  /// Speed at which the losses are quoted [rad/s].
-  double rated_speed() const { return (1 - rated_slip) * synchronous_speed; }
-};
 
 /// Motor whose torque falls on a straight line, as that of a DC machine at constant voltage:
 ///   T = stall_torque (1 - speed / synchronous_speed)
@@ -75,10 +50,18 @@ struct ConstantSpeedMotor {
 };
 
 /// All motor laws there are.
-using Motor = std::variant<InductionMotor, DroopMotor, CurveMotor, ConstantSpeedMotor>;
+using Motor = std::variant<InductionMotor, DoubleCageMotor, DroopMotor, CurveMotor, ConstantSpeedMotor>;
 
 /// Torque of any motor at a speed of its shaft [N m]; 0 for the ideal drive, which has no law.
-double motor_torque(const Motor& motor, double speed);
+/// @param voltage  / rated voltage [-]. Torques of cage rotors and of tables go with its square. The droop
+///                 is a line of constant slope, T = stall_torque (voltage - speed / synchronous_speed).
+double motor_torque(const Motor& motor, double speed, double voltage = 1);
+
+/// Current / rated current [-]: of the rotor for cage rotors; |torque| / rated_torque for the others.
+double motor_current(const Motor& motor, double speed, double voltage, double rated_torque);
+
+/// Rated torque of a motor with a name plate [N m]; 0 for the others.
+double rated_torque_of(const Motor& motor);
 
 /// @throws BadInput when a figure of the motor is out of its range
 void check_motor(const Motor& motor);

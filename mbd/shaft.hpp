@@ -2,39 +2,52 @@
 #pragma once
 
 #include "mbd/cvode_session.hpp"
-#include "mbd/drivetrain_parameters.hpp"
+#include "mbd/shaft_model.hpp"
+
+#include <array>
+#include <vector>
 
 namespace gyro {
 
-/// Motion of the eccentric at one moment.
+/// Motion of the drive at one moment.
 struct ShaftMotion {
-  double speed = 0;   ///< [rad/s]; exactly 0 when stuck
-  int direction = 0;  ///< +1 forward, 0 stuck, -1 backward
+  double speed = 0;        ///< of the eccentric [rad/s]; exactly 0 when stuck
+  int direction = 0;       ///< +1 forward, 0 stuck, -1 backward
+  double spin = 0;         ///< of the mantle about its own axis [rad/s]
+  int slip = 0;            ///< 0: the mantle is dragged along by the eccentric; +1 it runs ahead, -1 it lags
+  double motor_speed = 0;  ///< with a coupling spring; otherwise it follows from `speed` [rad/s]
+  double twist = 0;        ///< of the coupling spring [rad]
+  double time = 0;         ///< since the start of the run, for voltage and relays [s]
+  SwitchState motor{};
 };
 
-/// What the shaft did in an interval.
+/// What the drive did in an interval.
 struct ShaftTurn {
-  double angle = 0;           ///< turned by the eccentric [rad]
-  double speed_change = 0;    ///< of the eccentric [rad/s]
-  double motor_impulse = 0;   ///< integral of the motor's torque over time, at its shaft [N m s]
-  double motor_work = 0;      ///< of the motor on its shaft [J]
-  double loss_work = 0;       ///< in bushings, bearings and gear [J]
-  double kinetic_gain = 0;    ///< of kinetic energy [J]
-  double stopped_after = -1;  ///< time at which forward motion came to a halt [s]; < 0 when it did not
+  double angle = 0;                ///< turned by the eccentric [rad]
+  double spun = 0;                 ///< by the mantle about its own axis [rad]
+  double motor_angle = 0;          ///< by the motor [rad]
+  double speed_change = 0;         ///< of the eccentric [rad/s]
+  double motor_impulse = 0;        ///< integral of the motor's torque over time, at its shaft [N m s]
+  double motor_work = 0;           ///< of the motor on its shaft [J]
+  double loss_work = 0;            ///< in bushings, bearings, gear, coupling and brake [J]
+  double kinetic_gain = 0;         ///< of kinetic energy, and of the coupling spring's [J]
+  double stopped_after = -1;       ///< time at which forward motion came to a halt [s]; < 0 when it did not
+  std::vector<DriveEvent> events;  ///< in order; times since the start of the run
 };
 
-/// The equation of motion of motor, gear and eccentric as one rigid shaft,
+/// Integrates ShaftModel over an interval under a constant load.
 ///
-///   J_eff dw/dt = T_eccentric(i w) - T_rock - T_losses(w, T_rock),
-///
-/// under a load T_rock that is constant over the interval. Dry friction and gear losses jump at w = 0.
-/// An automaton of three states keeps the equation smooth while it is integrated: forward and
-/// backward fix the sign of the jumps and end at a root of w; there, and whenever w = 0, the shaft
-///   starts forward   when the net torque with forward friction is > 0,
-///   starts backward  when the net torque with backward friction is < 0,
-///   stays stuck      otherwise: friction takes up the difference and the speed is exactly 0.
-/// The two cannot hold at once, and under a constant load a shaft that has left 0 does not return in
-/// the same interval, so there is no chatter.
+/// Dry friction and gear losses jump at w = 0 and at sigma = w cos b, relays switch the motor. An automaton
+/// keeps the equations smooth while they are integrated: a leg has fixed signs and a fixed switch, and ends
+/// at a root of w, of sigma - w cos b, where a stuck eccentric or a dragged mantle breaks loose,
+/// where a relay trips, or at a deadline of the clock. Between legs
+///   the eccentric starts forward   when the net torque with forward friction is > 0,
+///                 starts backward  when the net torque with backward friction is < 0,
+///                 stays stuck      otherwise: friction takes up the difference and w is exactly 0;
+///   the mantle    is dragged along when the inner bushing can pass the torque that this takes,
+///                 lags or runs ahead otherwise.
+/// Both are settled together. The two starts cannot hold at once, and under a constant load an eccentric
+/// that has left 0 does not return in the same interval, so there is no chatter.
 class Shaft {
  public:
   /// @throws BadInput as check_drivetrain
@@ -42,33 +55,59 @@ class Shaft {
   Shaft(const Shaft&) = delete;  // the integrator calls back into this object
   Shaft& operator=(const Shaft&) = delete;
 
-  /// Integrates over `duration` > 0 [s] under a constant load of the rock at the eccentric,
-  /// `rock_torque` [N m], positive when it resists forward motion; changes `motion`.
-  ShaftTurn turn(double duration, double rock_torque, ShaftMotion& motion);
+  /// Integrates over `duration` > 0 [s]; changes `motion`.
+  ShaftTurn turn(double duration, const ShaftLoad& load, ShaftMotion& motion);
+  /// The same for a load on the eccentric alone, positive when it resists forward motion [N m].
+  ShaftTurn turn(double duration, double rock_torque, ShaftMotion& motion) {
+    return turn(duration, ShaftLoad{.rock_torque = rock_torque}, motion);
+  }
 
-  /// Kinetic energy of all that turns, at a speed of the eccentric [J].
-  double kinetic_energy(double speed) const { return 0.5 * inertia_ * speed * speed; }
+  /// The drive as it starts: idling, or at rest.
+  ShaftMotion start(const DrivetrainParameters& parameters) const;
+  /// Kinetic energy of all that turns, and energy of the coupling spring [J].
+  double energy(const ShaftMotion& motion) const;
   /// Torque at the motor's shaft [N m]: the law's, or what the ideal drive needs under this load.
-  double motor_torque_now(const ShaftMotion& motion, double rock_torque) const;
+  double motor_torque_now(const ShaftMotion& motion, const ShaftLoad& load) const;
+  double motor_speed(const ShaftMotion& motion) const {
+    return model_.has_spring() ? motion.motor_speed : model_.gear_ratio() * motion.speed;
+  }
   /// True for the ideal drive, whose speed never changes.
-  bool constant_speed() const { return std::holds_alternative<ConstantSpeedMotor>(motor_); }
+  bool constant_speed() const { return model_.ideal(); }
 
  private:
-  double motor_torque_at(double speed) const { return motor_torque(motor_, transmission_.ratio * speed); }
-  double ideal_motor_torque(double speed, double rock_torque) const;
-  double net_torque(double speed, int direction) const;
-  int direction_from_standstill() const;
-  void evaluate(std::span<const double> y, std::span<double> rate) const;
-  double turn_smoothly(double duration, ShaftMotion& motion, ShaftTurn& sum);
-  ShaftTurn turn_at_constant_speed(double duration, double speed) const;
+  // Zeros that end a leg; those of Protection follow.
+  enum Event { halts, catches_up, breaks_drag, starts_forward, starts_backward, own_events };
+  static constexpr int all_events = int{own_events} + int{Protection::events};
 
-  Motor motor_;
-  Transmission transmission_;
-  Losses losses_;
-  double inertia_;
+  /// Places of the unknowns that only some drives have; -1: not there.
+  struct Layout {
+    int size = 0, spun = -1, spin_gain = -1, twist_gain = -1, motor_gain = -1, heat_gain = -1, clock = -1;
+    explicit Layout(const DrivetrainParameters& parameters);
+  };
+
+  CvodeSession session_of(const Layout& layout);
+  ShaftPoint point(const ShaftMotion& motion) const;
+  ShaftPoint point(std::span<const double> y) const;
+  ShaftBalance balance(const ShaftPoint& now) const;
+  void evaluate(std::span<const double> y, std::span<double> rate) const;
+  void watch(std::span<const double> y, std::span<double> values) const;
+  FrictionSigns settle_friction(const ShaftMotion& motion, bool after_leg) const;
+  void set_signs(ShaftMotion& motion, ShaftTurn& sum, bool after_leg);
+  ShaftTurn turn_at_constant_speed(double duration, ShaftMotion& motion) const;
+  bool consistent(const ShaftPoint& now, FrictionSigns signs, bool at_rest, bool together) const;
+  bool changes_nothing(const ShaftMotion& motion) const;
+  double leg(double duration, ShaftMotion& motion, ShaftTurn& sum);
+  void take_up(std::span<const double> y, double lasted, ShaftMotion& motion, ShaftTurn& sum) const;
+  void halt(ShaftMotion& motion, double done, ShaftTurn& sum) const;
+  void switch_motor(ShaftMotion& motion, ShaftTurn& sum, bool after_leg) const;
+
+  DrivetrainParameters parameters_;
+  ShaftModel model_;
+  Protection protection_;
+  Layout layout_;
   // Of the leg that is being integrated:
-  double rock_torque_ = 0, start_speed_ = 0;
-  int direction_ = 0;
+  ShaftMotion begin_;
+  FrictionSigns signs_;
   CvodeSession session_;
 };
 

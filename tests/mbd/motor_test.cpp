@@ -3,6 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/mbd/machines.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace gyro {
@@ -71,6 +72,79 @@ TEST_CASE("Curve: linear between the points, as documented outside", "[mbd][moto
   CHECK(catalogue.torque(115) == Approx(-250));  // the last line goes on
   CHECK(catalogue.no_load_speed() == Approx(102.5));
   CHECK(catalogue.torque(catalogue.no_load_speed()) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("Two cages meet the name plate: rated, starting and pull-out torque", "[mbd][motor]") {
+  const DoubleCageMotor motor = solve_cages({.rated_power = 450e3,
+                                             .synchronous_speed = 600 * rpm,
+                                             .rated_slip = 0.0167,
+                                             .breakdown_ratio = 2.5,
+                                             .starting_ratio = 1.8});
+  const double rated = motor.rated_torque(), synchronous = motor.synchronous_speed;
+  CHECK(rated * motor.rated_speed() == Approx(450e3));
+  CHECK(motor.torque(motor.rated_speed()) == Approx(rated).epsilon(1e-9));
+  CHECK(motor.torque(0) == Approx(1.8 * rated).epsilon(1e-9));
+  CHECK(motor.torque(synchronous) == 0);
+  double largest = 0;
+  for (int k = 0; k <= 10000; ++k) largest = std::max(largest, motor.torque(synchronous * k / 10000));
+  CHECK(largest == Approx(2.5 * rated).epsilon(1e-6));
+  CHECK(motor.torque(1.01 * synchronous) < 0);
+  CHECK(motor.current(motor.rated_speed()) == Approx(1));
+  CHECK(motor.current(0) > 4.5);  // locked rotor
+  CHECK(motor.current(0) < 7.5);
+}
+
+TEST_CASE("NEMA letters start and pull out inside their bands", "[mbd][motor]") {
+  struct Band {
+    NemaDesign design;
+    double start_low, start_high, pull_low, pull_high, slip_low, slip_high;
+  };
+  const auto band = GENERATE(values<Band>({{NemaDesign::a, 0.7, 2.75, 1.75, 3.0, 0.005, 0.05},
+                                           {NemaDesign::b, 0.7, 2.75, 1.75, 3.0, 0.005, 0.05},
+                                           {NemaDesign::c, 2.0, 2.5, 1.9, 2.5, 0.01, 0.05},
+                                           {NemaDesign::d, 2.7, 2.8, 2.7, 2.8, 0.05, 0.08}}));
+  const DoubleCageMotor motor = nema_motor(band.design, 450e3, 600 * rpm);
+  const double rated = motor.rated_torque();
+  CHECK(motor.torque((1 - motor.rated_slip) * 600 * rpm) == Approx(rated).epsilon(1e-9));
+  CHECK(motor.rated_slip >= band.slip_low);
+  CHECK(motor.rated_slip <= band.slip_high);
+  CHECK(motor.torque(0) / rated >= band.start_low);
+  CHECK(motor.torque(0) / rated <= band.start_high);
+  double largest = 0;
+  for (int k = 0; k <= 1000; ++k) largest = std::max(largest, motor.torque(600 * rpm * k / 1000) / rated);
+  CHECK(largest >= band.pull_low);
+  CHECK(largest <= band.pull_high);
+}
+
+TEST_CASE("A name plate that no pair of cages has is refused", "[mbd][motor]") {
+  CHECK_THROWS_AS(solve_cages({1e3, 100, 0.02, 2.0, 9.0}), BadInput);
+  CHECK_THROWS_AS(solve_cages({1e3, 100, 0.3, 1.2, 0.1}), BadInput);
+}
+
+TEST_CASE("Rotor current: its losses are torque x slip", "[mbd][motor]") {
+  // I^2 R = T s w0 for a cage of constant resistance: (I/IN)^2 = T s / (TN sN).
+  const InductionMotor motor = induction_450kw();
+  for (const double slip : {0.005, 0.0167, 0.08, 0.5, 1.0}) {
+    const double speed = (1 - slip) * 600 * rpm;
+    const double expected = motor.torque(speed) * slip / (motor.rated_torque() * 0.0167);
+    CHECK(std::pow(motor_current(Motor{motor}, speed, 1, 0), 2) == Approx(expected).epsilon(1e-12));
+  }
+  CHECK(motor_current(Motor{paper_droop()}, 0, 1, 5e3) == Approx(paper_droop().stall_torque / 5e3));
+}
+
+TEST_CASE("Run-up on a table of torques: the integral of J dw / T, piece by piece", "[mbd][motor]") {
+  // Straight pieces: J (w2 - w1) / (T2 - T1) ln(T2 / T1).
+  const double inertia = 300;
+  double exact = 0;
+  const double target = 97;  // short of the speed of zero torque
+  for (std::size_t k = 0; k + 1 < catalogue.speeds.size() && catalogue.speeds[k] < target; ++k) {
+    const double w1 = catalogue.speeds[k], w2 = std::min(catalogue.speeds[k + 1], target);
+    const double t1 = catalogue.torque(w1), t2 = catalogue.torque(w2);
+    exact += inertia * (w2 - w1) / (t2 - t1) * std::log(t2 / t1);
+  }
+  Drivetrain drivetrain({.motor = catalogue, .eccentric_inertia = inertia, .start = DrivetrainStart::rest});
+  run(drivetrain, exact, GENERATE(1, 10, 1000), no_rock);
+  CHECK(drivetrain.state().speed == Approx(target).epsilon(1e-7));
 }
 
 TEST_CASE("Motors out of range are refused", "[mbd][motor]") {

@@ -199,3 +199,34 @@ TEST_CASE("Every motor and size law") {
   CHECK(std::get<gyro::PassingTable>(sieves.rocks->sizes).points.at(1).size == 0.1);
   CHECK(std::get<gyro::PassingTable>(sieves.rocks->sizes).points.at(1).fraction == 0.25);
 }
+
+TEST_CASE("A drivetrain with everything arrives as it was written") {
+  const gyro::Case made =
+      load(GYRO_CASES "/mkii-62-75/no-load.yaml",
+           {"drivetrain.motor=null",
+            "drivetrain.motor={model: nema, design: C, rated_power: 450 kW, synchronous_speed: 600 rpm, "
+            "voltage_file: " GYRO_CASE_TESTS "/broken/ramp.csv}",
+            "drivetrain.mantle_inertia=8 t m2", "drivetrain.coupling_spring={stiffness: 400 kN m, damping: 200}",
+            "drivetrain.bearings={bushing_depth: 5.4 m, inner: {friction: 0.006, radius: 330 mm}, "
+            "spider: {friction: 0.01, radius: 0.25 m, idle_force: 50 kN}}",
+            "drivetrain.protection={overload_time: 60 s, under_speed: 0.5, under_speed_delay: 3 s, "
+            "restart_delay: 10 s, restart_sense: reversed}"});
+  const gyro::DrivetrainParameters& drive = *made.drivetrain;
+  const auto& motor = std::get<gyro::DoubleCageMotor>(drive.motor);
+  CHECK(motor.torque(0) == Approx(2.25 * motor.rated_torque()));
+  CHECK(drive.voltage.at(0) == 0.4);
+  CHECK(drive.voltage.at(2.5) == Approx(0.7));
+  CHECK(drive.voltage.at(50) == 1);
+  CHECK(drive.mantle_inertia == 8000);
+  CHECK(drive.spring.stiffness == 4e5);
+  CHECK(drive.spring.damping == 200);
+  CHECK(drive.bearings.depth == 5.4);
+  CHECK(drive.bearings.inner.radius == Approx(0.33));
+  CHECK(drive.bearings.outer.friction == 0);
+  CHECK(drive.bearings.spider.idle_force == 50e3);
+  CHECK(drive.bearings.tilt_sine == Approx(0.0217 / 4.2));
+  CHECK(drive.protection.overload_time == 60);
+  CHECK(drive.protection.overload_ratio == 1.05);
+  CHECK(drive.protection.instantaneous_ratio == 0);
+  CHECK(drive.protection.restart_reversed);
+}
