@@ -169,6 +169,7 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
   const T gamma2 = norm2(s.shear);
   const T stiff = area * ks * b.length * (b.length / s.length) * s.along;
   const T trial = magnitude(stiff) * sqrt(gamma2), limit = law.friction * push;
+  const T spring_s = larger(magnitude(stiff) / s.length, T(1e-30));  // shear force over slide, now [N/m]
 
   UngluedLoad<T> out;
   out.keep = select(trial > limit, limit / larger(trial, T(1e-30)), T(1));
@@ -177,13 +178,15 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
   out.load.tension_ratio = out.load.shear_ratio = T(0);
 
   const T kept = out.keep * stiff;
-  out.load.elastic = T(0.5) * spring * magnitude(s.stretch) + kept * kept * gamma2 / (T(2) * area * ks);
+  out.load.elastic = T(0.5) * spring * magnitude(s.stretch) + kept * kept * gamma2 / (spring_s + spring_s);
   out.load.damped = select(s.stretch < T(0), law.dt * (spring - push) * slide_n, T(0));
 
-  // Friction loses what goes into the shear spring less what it stores more.
+  // Friction loses what goes into the shear spring less what it stores more. The spring is that of the
+  // present length: ends that were packed with an overlap slide past each other at L > L0.
   const Vec3<T> slide_s = slide - slide_n * s.normal;
-  const Vec3<T> after = kept * s.shear, before = stiff * s.shear + (area * ks * law.dt) * slide_s;
-  const T lost = T(-0.5) * law.dt * dot(before + after, slide_s) + (norm2(before) - norm2(after)) / (T(2) * area * ks);
+  const Vec3<T> after = kept * s.shear, before = stiff * s.shear + (spring_s * law.dt) * slide_s;
+  const T lost =
+      T(-0.5) * law.dt * dot(before + after, slide_s) + (norm2(before) - norm2(after)) / (spring_s + spring_s);
   out.slip_work = select(out.keep < T(1), lost, T(0));
   return out;
 }
