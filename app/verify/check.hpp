@@ -66,6 +66,18 @@ struct Case {
 // One function a group, in the file of its name.
 std::span<const Case> hertz_cases();
 std::span<const Case> restitution_cases();
+std::span<const Case> bond_cases();
+std::span<const Case> beam_cases();
+std::span<const Case> wave_cases();
+std::span<const Case> objectivity_cases();
+std::span<const Case> flight_cases();
+std::span<const Case> modulus_cases();
+std::span<const Case> energy_cases();
+std::span<const Case> fragments_cases();
+std::span<const Case> strength_cases();
+std::span<const Case> drivetrain_cases();
+std::span<const Case> coupling_cases();
+std::span<const Case> generic_cases();
 
 /// All cases in the order of the groups.
 std::vector<Case> all_cases();

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rock of 125 spheres that flies and spins freely, without damping.
+#include "app/verify/bonded.hpp"
+#include "app/verify/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gyro::verify {
+namespace {
+
+const std::string source = "mechanics of a closed system";
+
+struct Flight {
+  double dt;  ///< [s]
+  int steps;
+  double unequal = 0;  ///< scatter of the radii: bonds then have unequal arms
+};
+
+Vec3d centre_of_mass(const ParticleSnapshot& s) {
+  Vec3d sum{0, 0, 0};
+  double mass = 0;
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    sum += s.mass[k] * s.position[k];
+    mass += s.mass[k];
+  }
+  return (1 / mass) * sum;
+}
+
+double total_mass(const ParticleSnapshot& s) {
+  double mass = 0;
+  for (const double m : s.mass) mass += m;
+  return mass;
+}
+
+/// Energy of the motion about the centre of mass, and of the bonds.
+double inner_energy(const Dem& dem, double mass) {
+  const EnergyTerms e = dem.energy();
+  return e.kinetic + e.bond_elastic - 0.5 * norm2(dem.momentum()) / mass;
+}
+
+void fly(Recorder& out, const Flight& flight) {
+  NewRock rock = lattice(0, 5, bond_radius);
+  for (NewParticle& p : rock.particles) p.radius *= 1 - flight.unequal * (1 + random_number(p.id, 0));
+  add_rigid_motion(rock, {3, -2, 1}, {30, 60, 80});
+  Stage stage(bonded_scene(flight.dt, paper_bonds()), out.loads());
+  stage.insert({rock});
+  const ParticleSnapshot first = stage.dem().particles();
+  const double mass = total_mass(first), energy = inner_energy(stage.dem(), mass);
+  const Vec3d momentum = stage.dem().momentum(), turning = angular_momentum(first);
+  double energy_error = 0, turning_error = 0, path_error = 0;
+  for (int k = 0; k < 20; ++k) {
+    stage.advance(flight.steps / 20);
+    const ParticleSnapshot now = stage.dem().particles();
+    const Vec3d way = (stage.time() / mass) * momentum;
+    energy_error = std::max(energy_error, std::abs(inner_energy(stage.dem(), mass) / energy - 1));
+    turning_error = std::max(turning_error, norm(angular_momentum(now) - turning) / norm(turning));
+    path_error = std::max(path_error, norm(centre_of_mass(now) - centre_of_mass(first) - way) / norm(way));
+  }
+  out.absolute("angular-momentum", turning_error, 0, {1e-12, 1e-8}, source);
+  out.absolute("momentum", norm(stage.dem().momentum() - momentum) / norm(momentum), 0, {1e-12, 1e-8}, source);
+  out.absolute("straight-path", path_error, 0, {1e-12, 1e-8}, source);
+  out.absolute("energy", energy_error, 0, {1e-6, 1e-6}, source);
+}
+
+const std::array<Case, 4> cases{{
+    {"flight/1-us",
+     [](Recorder& out) {
+       fly(out, {1e-6, 300000});
+     }},
+    {"flight/3-us",
+     [](Recorder& out) {
+       fly(out, {3e-6, 100000});
+     }},
+    {"flight/unequal-spheres",
+     [](Recorder& out) {
+       fly(out, {1e-6, 50000, 0.15});
+     }},
+    {"flight/ten-million-steps",
+     [](Recorder& out) {
+       fly(out, {3e-6, 10000000});
+     },
+     Case::Precisions::both, Case::When::nightly},
+}};
+
+}  // namespace
+
+std::span<const Case> flight_cases() {
+  return cases;
+}
+
+}  // namespace gyro::verify
