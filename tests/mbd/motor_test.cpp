@@ -13,18 +13,6 @@ const CurveMotor catalogue{.speeds = {0, 40, 90, 100, 110}, .torques = {200, 180
 
 }  // namespace
 
-TEST_CASE("Kloss: the four points that define the curve", "[mbd][motor]") {
-  const InductionMotor motor = textbook_kloss();
-  const double synchronous = motor.synchronous_speed;
-  CHECK(motor.breakdown_torque() == Approx(1000).epsilon(1e-14));
-  CHECK(motor.breakdown_slip() == Approx(0.1).epsilon(1e-14));
-  CHECK(motor.torque(0) == Approx(1000 * 2 / (1 / 0.1 + 0.1)).epsilon(1e-14));  // locked rotor
-  CHECK(motor.torque(0) / 1000 == Approx(0.19802).epsilon(1e-5));
-  CHECK(motor.torque((1 - 0.1) * synchronous) == Approx(1000).epsilon(1e-14));  // breakdown
-  CHECK(motor.torque(motor.rated_speed()) == Approx(motor.rated_torque()).epsilon(1e-13));
-  CHECK(motor.torque(synchronous) == 0);
-}
-
 TEST_CASE("Kloss: breakdown is the largest torque", "[mbd][motor]") {
   const InductionMotor motor = induction_450kw();
   for (int k = -1000; k <= 2000; ++k) {

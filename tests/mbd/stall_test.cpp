@@ -67,18 +67,6 @@ TEST_CASE("Overload with friction: stops, stands exactly still, starts again", "
   CHECK(*drivetrain.stall_time() == stall_time);  // the first one is kept
 }
 
-TEST_CASE("Time to stall under constant overload matches the integral of J dw / T", "[mbd][stall]") {
-  // Droop: J dw/dt = T0 (1 - w/ws) - L, stops after tau ln(L / (L - T0)), tau = J ws / T0.
-  const double load = 120e3, stall_torque = 96e3;
-  const DrivetrainParameters machine = crusher_62_75(paper_droop());
-  const double tau = machine.effective_inertia() * 160 * rpm / stall_torque;
-  Drivetrain drivetrain(machine);
-  for (int k = 0; !drivetrain.stalled() && k < 20000; ++k)
-    exchange(drivetrain, window_number(k, length), [&](double, double) { return load; });
-  REQUIRE(drivetrain.stalled());
-  CHECK(*drivetrain.stall_time() == Approx(tau * std::log(load / (load - stall_torque))).epsilon(1e-9));
-}
-
 TEST_CASE("Overload without friction drives the machine backwards, through zero once", "[mbd][stall]") {
   const double load = 1.1 * breakdown_at_eccentric();
   Drivetrain drivetrain(crusher_62_75(induction_450kw()));

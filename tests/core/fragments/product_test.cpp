@@ -69,42 +69,6 @@ TEST_CASE("Only whole fragments below the removal depth may be removed", "[produ
   CHECK(product.row(0).particles + product.inside(p) == 5);
 }
 
-TEST_CASE("Fragments of known size and mass come back as their sieve curve", "[product]") {
-  // 1, 2, 5, 20 and 140 spheres of 20 mm; their meshes follow from how they are stacked.
-  const double R = 0.01, d = 0.02;
-  struct Kind {
-    std::vector<Vec3d> centres;
-    double size;
-  };
-  const std::vector<Kind> kinds{{block(1, 1, 1, R), d},
-                                {block(2, 1, 1, R), d},
-                                {block(5, 1, 1, R), d},
-                                {block(2, 2, 5, R), 2 * d},
-                                {block(4, 5, 7, R), 5 * d}};
-  ParticleSnapshot p;
-  double x = 0, total = 0;
-  std::vector<double> finer(sieve_series().size(), 0.0);
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    for (int copy = 0; copy < 3; ++copy) {
-      add_fragment(p, kinds[k].centres, R, rock_density, {x += 1, 0, -1});
-      const double mass = static_cast<double>(kinds[k].centres.size()) * p.mass[0];
-      total += mass;
-      for (std::size_t s = 0; s < finer.size(); ++s) {
-        if (kinds[k].size <= sieve_series()[s]) finer[s] += mass;
-      }
-    }
-  }
-  Product product(rock_density);
-  product.update(fragment_table(p), p);
-  const ProductRow row = product.row(2.5);
-  CHECK(row.time == 2.5);
-  CHECK(row.particles == 3 * (1 + 2 + 5 + 20 + 140));
-  CHECK(row.fragments == 15);
-  CHECK(std::abs(row.mass / total - 1) < 1e-12);
-  CHECK(row.singles_share == Approx(1.0 / 168).epsilon(1e-12));
-  for (std::size_t s = 0; s < finer.size(); ++s) CHECK(row.passing[s] == Approx(finer[s] / total).margin(1e-12));
-}
-
 TEST_CASE("Passing sizes are read between sieves on the logarithm", "[product]") {
   const std::vector<double>& sieves = sieve_series();
   CHECK(sieves[14] == Approx(0.125));
