@@ -64,7 +64,7 @@ void fly(Recorder& out, const Flight& flight) {
   out.absolute("energy", energy_error, 0, {1e-6, 1e-6}, source);
 }
 
-const std::array<Case, 4> cases{{
+const std::array<Case, 3> cases{{
     {"flight/1-us",
      [](Recorder& out) {
        fly(out, {1e-6, 300000});
@@ -77,11 +77,6 @@ const std::array<Case, 4> cases{{
      [](Recorder& out) {
        fly(out, {1e-6, 50000, 0.15});
      }},
-    {"flight/ten-million-steps",
-     [](Recorder& out) {
-       fly(out, {3e-6, 10000000});
-     },
-     Case::Precisions::both, Case::When::nightly},
 }};
 
 }  // namespace
