@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// H39: steps near the stability limit while a rock breaks. Twenty seeds at five steps, once with the limit
+// of the bonds alone and once with that of the guard, which adds the contacts of a dense bed.
+#include "tests/catch.hpp"
+
+#include "app/time_step.hpp"
+#include "core/dem/make_dem.hpp"
+#include "core/rocks/library.hpp"
+#include "core/rocks/strength.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace gyro;
+
+namespace {
+
+constexpr int seeds = 20;
+constexpr double fractions[] = {0.4, 0.55, 0.7, 0.85, 1.0, 1.05};
+
+/// What is changed to find out where an explosion comes from.
+struct Variant {
+  const char* name;
+  double contact_modulus = 557e6;  ///< G of the rock [Pa]
+  double swelling = 1;             ///< of the particles in their places: neighbours overlap by 2 (swelling - 1) R
+};
+
+Scene platens(const Variant& variant) {
+  Scene scene;
+  scene.materials = {{"rock", 2600, variant.contact_modulus, 0.35}, {"steel", 7800, 70e9, 0.3}};
+  scene.pairs.assign(4, {0.7, 0.25, 0});
+  scene.pairs[0] = {0.5, 0.2, 0};
+  scene.bonds = BondParameters{1.67e12, 6.67e11, 36e6, 24e6, 0.05, 0, 0};
+  scene.gravity = {0, 0, 0};
+  return scene;
+}
+
+RockTemplate rock_template(const Scene& scene, double swelling) {
+  LibraryRecipe recipe;
+  recipe.shapes = ProceduralShapes{1};
+  recipe.sizes = PassingTable{{{0.149, 0}, {0.151, 1}}};
+  recipe.samples = 1;
+  recipe.fill_ratio = 6;
+  recipe.rock_density = 2600;
+  recipe.bond_rule.gap = 0.05 + 2.2 * (swelling - 1);  // whatever overlaps is bonded
+  recipe.bond_rule.radius = RelativeBondRadius{0.5};
+  recipe.bond_parameters = *scene.bonds;
+  recipe.bed = bed_contacts(scene);
+  RockTemplate rock = make_library(recipe, "").rocks.front();
+  for (double& radius : rock.radii) radius *= swelling;
+  rock.particle_density /= swelling * swelling * swelling;
+  return rock;
+}
+
+NewRock rock_with_strengths(const RockTemplate& from, std::uint64_t seed) {
+  const StrengthScatter scatter{1, 0.2, 0.4, 1.6};
+  NewRock rock;
+  rock.id = 0;
+  for (std::size_t k = 0; k < from.centres.size(); ++k)
+    rock.particles.push_back(
+        {static_cast<ParticleId>(k), from.centres[k], {0, 0, 0}, {0, 0, 0}, from.radii[k], from.particle_density});
+  for (const TemplateBond& b : from.bonds)
+    rock.bonds.push_back(
+        {b.i, b.j, b.length, b.radius,
+         strength_factor(scatter, seed, 0, static_cast<ParticleId>(b.i), static_cast<ParticleId>(b.j))});
+  rock.colour_begin = from.colour_begin;
+  return rock;
+}
+
+struct Outcome {
+  double broken = 0;    ///< share of the bonds
+  double kinetic = 0;   ///< largest kinetic energy over the work done so far
+  double residual = 0;  ///< largest residual over the work done so far
+  double work = 0;      ///< [J]
+  bool finite = true;
+  bool sound() const { return finite && broken < 0.9 && kinetic < 1 && residual < 0.05; }
+};
+
+/// Two plates close by a fifth of the rock's height at 2 m/s together.
+Outcome crush(Scene scene, const RockTemplate& from, std::uint64_t seed, double dt) {
+  const NewRock rock = rock_with_strengths(from, seed);
+  double top = 0, bottom = 0;
+  for (const NewParticle& p : rock.particles) {
+    top = std::max(top, p.position.z + p.radius);
+    bottom = std::min(bottom, p.position.z - p.radius);
+  }
+  scene.dt = dt;
+  scene.walls = {{"top", PlaneShape{{0, 0, top}, {0, 0, -1}}, LinearMotion{{0, 0, -1}}, 1},
+                 {"bottom", PlaneShape{{0, 0, bottom}, {0, 0, 1}}, LinearMotion{{0, 0, 1}}, 1}};
+  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
+  dem->insert(std::vector<NewRock>{rock});
+  Outcome out;
+  const int window = 100;
+  const auto windows = std::lround(0.2 * (top - bottom) / 2 / dt / window);
+  for (std::int64_t w = 0; w < windows && out.finite; ++w) {
+    dem->advance({w * window, window, dt}, {});
+    const EnergyTerms e = dem->energy();
+    out.work = e.wall_work;
+    out.finite = dem->extremes().finite && std::isfinite(e.residual());
+    const Counts c = dem->counts();
+    out.broken = static_cast<double>(c.broken_tension + c.broken_shear) / static_cast<double>(rock.bonds.size());
+    if (out.work < 1) continue;  // [J], of some 200: a fraction of next to nothing says nothing
+    out.kinetic = std::max(out.kinetic, e.kinetic / out.work);
+    out.residual = std::max(out.residual, std::abs(e.residual()) / out.work);
+  }
+  return out;
+}
+
+/// Runs all seeds at all fractions of a limit. @return how many seeds went wrong at each fraction
+std::vector<int> study(const Variant& variant, bool with_bed) {
+  const Scene scene = platens(variant);
+  const RockTemplate rock = rock_template(scene, variant.swelling);
+  const double limit = critical_step(rock, *scene.bonds, with_bed ? bed_contacts(scene) : BedContacts{});
+  std::vector<int> wrong;
+  for (const double fraction : fractions) {
+    int bad = 0;
+    double broken = 0, work = 0, residual = 0, kinetic = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const Outcome o = crush(scene, rock, seed, fraction * limit);
+      if (!o.sound()) ++bad;
+      broken += o.broken / seeds;
+      work += o.work / seeds;
+      residual = std::max(residual, o.residual);
+      kinetic = std::max(kinetic, o.kinetic);
+    }
+    std::printf("| %-22s | %-5s | %4.2f | %5.2f | %2d/%d | %5.1f | %6.1f | %5.2f | %8.2g |\n", variant.name,
+                with_bed ? "guard" : "bonds", fraction, fraction * limit * 1e6, bad, seeds, 100 * broken, work, kinetic,
+                residual);
+    std::fflush(stdout);
+    wrong.push_back(bad);
+  }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("H39 no step at the shipped factor explodes after breakage", "[hard][nightly]") {
+  std::printf("| variant | limit | of it | dt us | wrong | broken %% | work J | KE/work | residual/work |\n");
+  for (const Variant& variant : {Variant{"as shipped"}, Variant{"contact modulus x 10", 5570e6},
+                                 Variant{"packed-in overlap 0.2 R", 557e6, 1.1}}) {
+    INFO(variant.name);
+    const std::vector<int> by_bonds = study(variant, false), by_guard = study(variant, true);
+    CHECK(by_guard[0] + by_guard[1] + by_guard[2] == 0);  // up to 0.7, the shipped factor
+    CHECK(by_bonds.back() == seeds);                      // beyond the limit the study sees it
+  }
+}
