@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.hpp"
 #include "core/dem/scene.hpp"
 #include "core/dem/window.hpp"
 
@@ -74,6 +75,9 @@ struct WallLoad {
   double work = 0;        ///< done by the wall on the rock in the window [J]
 };
 
+template <>
+struct RowOf<WallLoad> : MadeOf<double> {};
+
 /// Energies of the scene [J]. The first four are states, the others add up since the start.
 struct EnergyTerms {
   double kinetic = 0, potential = 0, contact_elastic = 0, bond_elastic = 0;
@@ -87,6 +91,9 @@ struct EnergyTerms {
            bond_breakage - wall_work - exchanged;
   }
 };
+
+template <>
+struct RowOf<EnergyTerms> : MadeOf<double> {};
 
 /// Extremes at the end of the last window, for the guard: what peaks inside it is not seen.
 struct Extremes {
@@ -102,6 +109,9 @@ struct Counts {
   std::int64_t particles = 0, bonds_intact = 0, broken_tension = 0, broken_shear = 0;
   std::int64_t particle_steps = 0, bond_steps = 0, rebuilds = 0;
 };
+
+template <>
+struct RowOf<Counts> : MadeOf<std::int64_t> {};
 
 /// A discrete element scene on one executor and in one precision. Calls are cheap at the
 /// scale of a window and virtual only there.
@@ -128,6 +138,11 @@ class Dem {
   virtual ParticleSnapshot particles() const = 0;      ///< now, fragments labelled
   virtual BondSnapshot bonds() const = 0;              ///< now
   virtual std::vector<Breakage> take_breakages() = 0;  ///< since the last call, ordered by time, i, j
+
+  /// What must be kept to go on bit for bit, between windows; on any executor, in this precision.
+  virtual SavedState save() const = 0;
+  /// Replaces everything by what a scene of the same case has saved. @throws BadInput as SavedState::get
+  virtual void restore(const SavedState& saved) = 0;
 };
 
 }  // namespace gyro

@@ -20,13 +20,8 @@ ParticleSums DemSolver<Exec, Real>::particle_sums() const {
 
 template <class Exec, class Real>
 ContactSums DemSolver<Exec, Real>::contact_sums() const {
-  const PairView<Real> pairs = pair_view(pairs_);
-  const WallView<Real> walls = wall_view(walls_);
-  const ContactSums a =
-      exec_.template reduce<ContactSums>("sum pairs", pairs.count, SumPairs<Real>{view(), pairs, rock_law_});
-  if (poses_ == nullptr) return a;
-  return a + exec_.template reduce<ContactSums>("sum walls", walls.count,
-                                                SumWallContacts<Real>{view(), walls, wall_laws_.data()});
+  const SumContacts<Real> contacts{view(), pair_view(pairs_), wall_view(walls_), rock_law_, wall_laws_.data()};
+  return exec_.template reduce<ContactSums>("sum contacts", particle_count(), contacts);
 }
 
 template <class Exec, class Real>

@@ -107,7 +107,7 @@ void DemSolver<Exec, Real>::arrive_bonds(const NewRock& rock, Index first_partic
   fresh.bonds_glued += static_cast<std::int64_t>(rock.bonds.size());
   for (const Index colour : rock.colour_begin) fresh.colour_begin.push_back(first_bond + colour);
   while (to.i.size() % bond_alignment != 0) {
-    for_each_bond_column([](auto& column) { column.push_back({}); }, to);
+    for_each_bond_column([](const char*, auto& column) { column.push_back({}); }, to);
     to.i.back() = to.j.back() = first_particle;
     to.state.back() = bond_gone;
   }
@@ -115,9 +115,10 @@ void DemSolver<Exec, Real>::arrive_bonds(const NewRock& rock, Index first_partic
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::take_in(const Arrivals& fresh) {
-  for_each_particle_column([](bool, auto& column, const auto& more) { Exec::append(column, more); }, particles_,
-                           fresh.particles);
-  for_each_bond_column([](auto& column, const auto& more) { Exec::append(column, more); }, bonds_, fresh.bonds);
+  for_each_particle_column([](const char*, bool, auto& column, const auto& more) { Exec::append(column, more); },
+                           particles_, fresh.particles);
+  for_each_bond_column([](const char*, auto& column, const auto& more) { Exec::append(column, more); }, bonds_,
+                       fresh.bonds);
   Exec::append(blocks_, fresh.blocks);
   Exec::append(colour_begin_, fresh.colour_begin);
   booked_.exchanged = fresh.exchanged;

@@ -92,7 +92,7 @@ void DemSolver<Exec, Real>::keep_particles(const Remaining& remaining) {
     booked_.friction += lost.bond_slip + lost.contact_slip;
   }
   for_each_particle_column(
-      [&](bool needs_bonds, auto& column) {
+      [&](const char*, bool needs_bonds, auto& column) {
         if (!needs_bonds || has_bonds()) Exec::keep(column, remaining.old_index);
       },
       particles_);
@@ -129,7 +129,7 @@ void DemSolver<Exec, Real>::keep_bonds(const Remaining& remaining) {
   Host<Index> block = Exec::host(particles_.block);
   for (Index& b : block)
     if (b != none) b = new_block[static_cast<std::size_t>(b)];
-  for_each_bond_column([&](auto& column) { Exec::keep(column, kept.source); }, bonds_);
+  for_each_bond_column([&](const char*, auto& column) { Exec::keep(column, kept.source); }, bonds_);
   Exec::upload(bonds_.i, std::move(kept.i));
   Exec::upload(bonds_.j, std::move(kept.j));
   Exec::upload(bonds_.state, std::move(kept.state));

@@ -15,8 +15,8 @@ namespace gyro {
 
 /// The discrete element method on an executor (Cpu, Cuda), with the loads in Real. A step is in
 /// dem_step.hpp, the neighbour lists in dem_lists.hpp, coming and going of rock in dem_exchange.hpp and
-/// dem_removal.hpp, the accounts and snapshots in dem_accounts.hpp. Nothing here reads an element of a
-/// buffer: kernels do, or host copies.
+/// dem_removal.hpp, the accounts and snapshots in dem_accounts.hpp, the saved state in dem_saving.hpp. Nothing
+/// here reads an element of a buffer: kernels do, or host copies.
 template <class Exec, class Real>
 class DemSolver final : public Dem {
  public:
@@ -36,6 +36,8 @@ class DemSolver final : public Dem {
   BondSnapshot bonds() const override;
   std::vector<Breakage> take_breakages() override { return std::exchange(breakages_, {}); }
   std::vector<std::pair<std::string, double>> phase_seconds() const override { return exec_.timer().seconds(); }
+  SavedState save() const override;
+  void restore(const SavedState& saved) override;
 
  private:
   template <class T>
@@ -125,6 +127,12 @@ class DemSolver final : public Dem {
   void drain_breakages(const Window& window);
   std::vector<Index> places_by_id() const;
   GluedBonds glued_bonds() const;
+
+  // dem_saving.hpp
+  void save_pairs(SavedState& s) const;
+  void save_walls(SavedState& s) const;
+  void restore_pairs(const SavedState& s);
+  void restore_walls(const SavedState& s);
 
   ParticleView view() const;
   BlockList block_list() const;

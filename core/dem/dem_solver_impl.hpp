@@ -5,6 +5,7 @@
 #include "core/dem/dem_exchange.hpp"
 #include "core/dem/dem_lists.hpp"
 #include "core/dem/dem_removal.hpp"
+#include "core/dem/dem_saving.hpp"
 #include "core/dem/dem_step.hpp"
 
 namespace gyro {

@@ -74,14 +74,29 @@ struct ContactSums {
   }
 };
 
+/// Contacts of a particle: with those of higher id and with walls. Summed by particle in the order of its rows,
+/// so that the sum does not depend on what else the lists hold.
 template <class Real>
-struct SumPairs {
+struct SumContacts {
   ParticleView p;
   PairView<Real> pairs;
+  WallView<Real> walls;
   ContactLaw<Real> law;
+  const ContactLaw<Real>* wall_laws;
 
   GYRO_HD ContactSums operator()(Index n) const {
-    if (!pairs.touching[n]) return {};
+    const Sphere place = p.place[n];
+    ContactSums s;
+    for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e)
+      if (pairs.ends[e].side == 0 && pairs.touching[pairs.ends[e].pair]) s = s + of_pair(pairs.ends[e].pair);
+    if (walls.poses == nullptr) return s;  // no window yet
+    for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e)
+      if (walls.touching[e]) s = s + of_wall(e, place);
+    return s;
+  }
+
+ private:
+  GYRO_HD ContactSums of_pair(Index n) const {
     const Pair pair = pairs.pairs[n];
     const double a = p.place[pair.i].radius, b = p.place[pair.j].radius;
     const ContactMemory<Real> m = pairs.memory[n];
@@ -89,34 +104,19 @@ struct SumPairs {
     return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.elastic)), ratio,
             p.id[pair.i]};
   }
-};
-
-template <class Real>
-struct SumWallContacts {
-  ParticleView p;
-  WallView<Real> walls;
-  const ContactLaw<Real>* laws;
-
-  GYRO_HD ContactSums operator()(Index n) const {
-    ContactSums s;
-    if (!walls.touching[n]) return s;
+  GYRO_HD ContactSums of_wall(Index n, const Sphere& place) const {
     const WallEntry entry = walls.entries[n];
-    const Sphere place = p.place[entry.particle];
-    const WallTouches touches = touches_now(entry, place);
+    const Vec3d centre = to_body(walls.poses[entry.wall], place.x);
+    const WallTouches touches = touch_wall(walls.surfaces[entry.wall], entry.range, centre, place.radius);
+    ContactSums s;
     for (int k = 0; k < walls.memory[n].count; ++k) {
       const ContactMemory<Real> m = walls.memory[n].contact[k];
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
-      s = s + ContactSums{weight * static_cast<double>(contact_energy(laws[entry.wall], static_cast<Real>(place.radius),
-                                                                      m.overlap, m.elastic)),
+      s = s + ContactSums{weight * static_cast<double>(contact_energy(
+                                       wall_laws[entry.wall], static_cast<Real>(place.radius), m.overlap, m.elastic)),
                           static_cast<double>(m.overlap) / place.radius, p.id[entry.particle]};
     }
     return s;
-  }
-
- private:
-  GYRO_HD WallTouches touches_now(const WallEntry& entry, const Sphere& place) const {
-    const Vec3d centre = to_body(walls.poses[entry.wall], place.x);
-    return touch_wall(walls.surfaces[entry.wall], entry.range, centre, place.radius);
   }
 };
 

@@ -25,20 +25,21 @@ struct Bonds {
   Column<std::int32_t> state;
 };
 
+/// Calls f(name, column...) for every column of the bonds given, in step.
 template <class F, class... B>
 void for_each_bond_column(F&& f, B&... b) {
-  f(b.i...);
-  f(b.j...);
-  f(b.axis_x...);
-  f(b.axis_y...);
-  f(b.axis_z...);
-  f(b.length...);
-  f(b.radius...);
-  f(b.arm...);
-  f(b.strength...);
-  f(b.sqrt_mass...);
-  f(b.sqrt_inertia...);
-  f(b.state...);
+  f("i", b.i...);
+  f("j", b.j...);
+  f("axis_x", b.axis_x...);
+  f("axis_y", b.axis_y...);
+  f("axis_z", b.axis_z...);
+  f("length", b.length...);
+  f("radius", b.radius...);
+  f("arm", b.arm...);
+  f("strength", b.strength...);
+  f("sqrt_mass", b.sqrt_mass...);
+  f("sqrt_inertia", b.sqrt_inertia...);
+  f("state", b.state...);
 }
 
 template <class Real>

@@ -59,20 +59,20 @@ struct Particles {
   Column<Index> block;  ///< of rock
 };
 
-/// Calls f(column, whether the column exists only with bonds) for every column of the particles
+/// Calls f(name, whether the column exists only with bonds, column...) for every column of the particles
 /// given, in step: the one list of columns.
 template <class F, class... P>
 void for_each_particle_column(F&& f, P&... p) {
-  f(false, p.place...);
-  f(false, p.motion...);
-  f(false, p.spin...);
-  f(true, p.turn...);
-  f(false, p.load...);
-  f(true, p.bond_load...);
-  f(false, p.listed_at...);
-  f(false, p.losses...);
-  f(false, p.id...);
-  f(false, p.block...);
+  f("place", false, p.place...);
+  f("motion", false, p.motion...);
+  f("spin", false, p.spin...);
+  f("turn", true, p.turn...);
+  f("load", false, p.load...);
+  f("bond_load", true, p.bond_load...);
+  f("listed_at", false, p.listed_at...);
+  f("losses", false, p.losses...);
+  f("id", false, p.id...);
+  f("block", false, p.block...);
 }
 
 template <class T>

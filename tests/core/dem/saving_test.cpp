@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene that is saved and goes on elsewhere gives the bits of one that was never interrupted.
+#include "tests/gpu/mirror.hpp"
+#include "tests/gpu/same_bits.hpp"
+
+#include <functional>
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+using Make = std::function<std::unique_ptr<Dem>()>;
+
+/// A scene that is put down and taken up by another solver before each window, the makers in turn.
+class Restarting final : public Dem {
+ public:
+  explicit Restarting(std::vector<Make> makers) : makers_(std::move(makers)), dem_(makers_.front()()) {}
+
+  void advance(const Window& window, const MantlePath& path) override {
+    const SavedState saved = dem_->save();
+    dem_ = makers_[++restarts_ % makers_.size()]();
+    dem_->restore(saved);
+    dem_->advance(window, path);
+  }
+  void insert(std::span<const NewRock> rocks) override { dem_->insert(rocks); }
+  void remove(std::span<const ParticleId> ids) override { dem_->remove(ids); }
+  std::vector<WallPose> wall_poses() const override { return dem_->wall_poses(); }
+  std::vector<std::pair<std::string, double>> phase_seconds() const override { return dem_->phase_seconds(); }
+  std::vector<WallLoad> wall_loads() const override { return dem_->wall_loads(); }
+  EnergyTerms energy() const override { return dem_->energy(); }
+  Extremes extremes() const override { return dem_->extremes(); }
+  Counts counts() const override { return dem_->counts(); }
+  Vec3d momentum() const override { return dem_->momentum(); }
+  ParticleSnapshot particles() const override { return dem_->particles(); }
+  BondSnapshot bonds() const override { return dem_->bonds(); }
+  std::vector<Breakage> take_breakages() override { return dem_->take_breakages(); }
+  SavedState save() const override { return dem_->save(); }
+  void restore(const SavedState& saved) override { dem_->restore(saved); }
+
+ private:
+  std::vector<Make> makers_;
+  std::size_t restarts_ = 0;
+  std::unique_ptr<Dem> dem_;
+};
+
+Make on_cpu(Loads loads, int threads, int hold = 1) {
+  Scene scene = breaking_scene();
+  scene.hold = hold;
+  return [=] { return make_cpu_dem(scene, loads, threads); };
+}
+
+template <class Real>
+std::unique_ptr<Dem> on_mirror() {
+  return std::make_unique<DemSolver<Mirror, Real>>(breaking_scene(), Mirror{});
+}
+
+bool same_columns(const SavedState& a, const SavedState& b) {
+  return std::equal(
+      a.columns().begin(), a.columns().end(), b.columns().begin(), b.columns().end(), [](const auto& x, const auto& y) {
+        return x.first == y.first && x.second.width == y.second.width && x.second.numbers == y.second.numbers;
+      });
+}
+
+/// The scene amid its breaking.
+std::unique_ptr<Dem> busy(Loads loads) {
+  auto dem = on_cpu(loads, 1)();
+  dem->insert(falling_rocks(0, 0, 0.045));
+  std::int64_t step = 0;
+  run(*dem, breaking_dt, step, 3000, 150);
+  return dem;
+}
+
+}  // namespace
+
+TEST_CASE("A run restarted before every window has the bits of one that was not", "[dem][bits]") {
+  const Loads loads = GENERATE(Loads::single, Loads::double_);
+  const int hold = GENERATE(1, 3);
+  const Outcome whole = break_rocks(*on_cpu(loads, 1, hold)());
+  require_busy(whole);
+  Restarting restarting({on_cpu(loads, 1, hold), on_cpu(loads, 2, hold)});
+  Outcome parts = break_rocks(restarting);
+  CHECK(parts.counts.rebuilds > whole.counts.rebuilds);  // neighbours are found anew: that changes no bit
+  parts.counts.rebuilds = whole.counts.rebuilds;
+  check_same(whole, parts);
+}
+
+TEST_CASE("A saved state goes on with the same bits on another executor", "[dem][bits]") {
+  const Loads loads = GENERATE(Loads::single, Loads::double_);
+  DeviceMemory::instance().forget();
+  const SavedState saved = busy(loads)->save();
+  const auto cpu = on_cpu(loads, 1)(), mirror = loads == Loads::single ? on_mirror<float>() : on_mirror<double>();
+  for (Dem* dem : {cpu.get(), mirror.get()}) {
+    dem->restore(saved);
+    std::int64_t step = 3000;
+    run(*dem, breaking_dt, step, 600, 150);
+  }
+  CHECK(same_columns(cpu->save(), mirror->save()));
+}
+
+TEST_CASE("What is restored says and saves the same as what was saved", "[dem]") {
+  const Loads loads = GENERATE(Loads::single, Loads::double_);
+  const auto before = busy(loads), after = on_cpu(loads, 1)();
+  const SavedState saved = before->save();
+  after->restore(saved);
+  REQUIRE(saved.get<Pair>("contacts/pair").size() > 5);
+  REQUIRE(saved.get<WallEntry>("walls/entry").size() > 2);
+  REQUIRE(!saved.get<SavedBreakage>("dem/breakages").empty());
+  CHECK(same_columns(saved, after->save()));
+  CHECK(same_bits(before->particles(), after->particles()));
+  CHECK(same_bytes(std::vector{before->energy()}, std::vector{after->energy()}));
+  CHECK(same_bytes(before->wall_loads(), after->wall_loads()));
+  CHECK(same_bytes(before->wall_poses(), after->wall_poses()));
+  CHECK(same_breakages(before->take_breakages(), after->take_breakages()));
+}
+
+TEST_CASE("A state of the other precision, or with a column missing or short, is refused", "[dem]") {
+  SavedState saved = busy(Loads::single)->save();
+  CHECK_THROWS_AS(on_cpu(Loads::double_, 1)()->restore(saved), BadInput);
+  const auto dem = on_cpu(Loads::single, 1)();
+  SavedState missing = saved, shorter = saved;
+  missing.columns().erase("particles/spin");
+  CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/spin"));
+  std::vector<Vec3d> places = shorter.get<Vec3d>("particles/listed_at");
+  places.pop_back();
+  shorter.put("particles/listed_at", places);
+  CHECK_THROWS_WITH(dem->restore(shorter), Catch::Matchers::Contains("rows of particles/listed_at"));
+}
