@@ -7,8 +7,9 @@ if(NOT TARGET yaml-cpp::yaml-cpp)
 endif()
 
 gyro_library(gyro_case
-  SOURCES case_build.cpp case_checks.cpp case_complete.cpp case_drivetrain.cpp case_load.cpp case_start_state.cpp case_tables.cpp csv.cpp
-          schema.cpp schema_describe.cpp schema_json.cpp schema_keys.cpp schema_read.cpp schema_values.cpp
+  SOURCES case_build.cpp case_checks.cpp case_complete.cpp case_difference.cpp case_drivetrain.cpp case_load.cpp
+          case_start_state.cpp case_tables.cpp csv.cpp schema.cpp schema_describe.cpp schema_json.cpp schema_keys.cpp
+          schema_read.cpp schema_values.cpp
           schema_write.cpp units.cpp yaml_tree.cpp
   PUBLIC gyro_mbd
   PRIVATE yaml-cpp::yaml-cpp nlohmann_json::nlohmann_json)

@@ -164,6 +164,7 @@ struct Case {
   std::optional<CaseParticles> particles;
   CaseOutput output;
   std::string resolved;  ///< see resolved_yaml()
+  std::string inputs;    ///< one line a file that it names: digest of the content, path
 };
 
 /// Something wrong with the input, and where.
@@ -195,6 +196,15 @@ CaseProblem problem_at(const std::filesystem::path& file, const std::vector<std:
 
 /// The case with every default written out: plain SI numbers, absolute paths. Reads back to the same case.
 std::string resolved_yaml(const Case& checked);
+
+/// A key with different values in two cases.
+struct CaseDifference {
+  std::string key;
+  std::string value, other;  ///< "not there" where a case leaves it out
+};
+
+/// Where two resolved cases differ in more than time.duration and `output`, which a run that goes on may change.
+std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other);
 
 /// Square table materials x materials for Scene::pairs. Pairs that cannot touch keep PairProperties' defaults.
 std::vector<PairProperties> pair_table(const Case& checked);

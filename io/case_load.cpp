@@ -110,6 +110,7 @@ CaseReport load_case(const fs::path& file, const std::vector<std::string>& overr
         report.loaded = build_case(root, tables);
         report.loaded->file = fs::absolute(file).lexically_normal();
         report.loaded->resolved = write_settings(root);
+        report.loaded->inputs = input_digests(root);
       }
     }
   }

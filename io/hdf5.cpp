@@ -10,24 +10,6 @@
 namespace gyro::hdf5 {
 namespace {
 
-hid_t file_type(Number number) {
-  switch (number) {
-    case Number::float32:
-      return H5T_IEEE_F32LE;
-    case Number::float64:
-      return H5T_IEEE_F64LE;
-    case Number::uint8:
-      return H5T_STD_U8LE;
-    case Number::int32:
-      return H5T_STD_I32LE;
-    case Number::uint32:
-      return H5T_STD_U32LE;
-    case Number::int64:
-      return H5T_STD_I64LE;
-  }
-  return H5I_INVALID_HID;
-}
-
 /// Newest format (appending needs it); file systems that know no locks are accepted.
 Handle access_properties(const std::string& path) {
   Handle list = own(H5Pcreate(H5P_FILE_ACCESS), path, "prepare");
@@ -135,6 +117,7 @@ Dataset File::create_dataset(std::string_view name, const Layout& layout) {
     check(H5Pset_shuffle(creation.get()), where(name), "set compression");
     check(H5Pset_deflate(creation.get(), static_cast<unsigned>(layout.deflate)), where(name), "set compression");
   }
+  if (layout.checksum) check(H5Pset_fletcher32(creation.get()), where(name), "set a checksum");
   return {make_dataset(handle_, std::string(name), where(name), file_type(layout.number), space, creation),
           where(name)};
 }
@@ -163,6 +146,10 @@ bool File::contains(std::string_view name) const {
     if (H5Lexists(handle_.get(), std::string(name.substr(0, end)).c_str(), H5P_DEFAULT) <= 0) return false;
     if (end == std::string_view::npos) return true;
   }
+}
+
+bool File::is_group(std::string_view name) const {
+  return H5Iget_type(object(name).get()) == H5I_GROUP;
 }
 
 std::vector<std::string> File::children(std::string_view group) const {
@@ -200,10 +187,12 @@ Handle File::attribute(std::string_view owner, std::string_view name) const {
 
 void File::write_attribute(std::string_view owner, std::string_view name, std::int64_t type, const void* value) {
   const Handle handle = object(owner);
+  const std::string text(name);
+  if (H5Aexists(handle.get(), text.c_str()) > 0)
+    check(H5Adelete(handle.get(), text.c_str()), where(owner), "replace an attribute");
   const Handle space = own(H5Screate(H5S_SCALAR), where(owner), "make an attribute");
-  const Handle made =
-      own(H5Acreate2(handle.get(), std::string(name).c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
-          where(owner), "make an attribute");
+  const Handle made = own(H5Acreate2(handle.get(), text.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                          where(owner), "make an attribute");
   check(H5Awrite(made.get(), type, value), where(owner), "write an attribute");
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,16 @@ class Handle {
 /// (int64 up to 2^53).
 enum class Number { float32, float64, uint8, int32, uint32, int64 };
 
+/// The same type in memory.
+template <class T>
+constexpr Number number_of() {
+  static_assert(std::is_arithmetic_v<T>);
+  if constexpr (std::is_floating_point_v<T>) return sizeof(T) == 4 ? Number::float32 : Number::float64;
+  if constexpr (sizeof(T) == 1) return Number::uint8;
+  if constexpr (sizeof(T) == 8) return Number::int64;
+  return std::is_signed_v<T> ? Number::int32 : Number::uint32;
+}
+
 /// A table of numbers, rows x columns; one column makes it one-dimensional.
 class Dataset {
  public:
@@ -42,15 +53,28 @@ class Dataset {
   std::int64_t rows() const;
   std::int64_t columns() const;
   /// Adds rows at the end. @param values row after row; a whole number of rows
-  void append(std::span<const double> values);
+  void append(std::span<const double> values) { append(values.data(), values.size(), Number::float64); }
+  /// The same for numbers of any type. @param count of numbers
+  void append(const void* values, std::size_t count, Number in_memory);
+  /// Drops the rows from `rows` on.
+  void truncate(std::int64_t rows);
   /// Hands everything appended to the operating system.
   void flush();
-  /// All rows, row after row.
-  std::vector<double> read() const;
+  /// How the numbers lie in the file.
+  Number number() const;
+  /// All rows, row after row, as doubles or as other numbers.
+  template <class T = double>
+  std::vector<T> read() const {
+    std::vector<T> values(static_cast<std::size_t>(rows() * columns()));
+    read(values.data(), values.size(), number_of<T>());
+    return values;
+  }
   void set_attribute(std::string_view name, std::string_view value);
   std::string string_attribute(std::string_view name) const;
 
  private:
+  void read(void* values, std::size_t count, Number in_memory) const;
+
   Handle handle_;
   std::string where_;  ///< file and name, for messages
 };
@@ -60,8 +84,9 @@ struct Layout {
   Number number = Number::float64;
   std::int64_t columns = 1;
   std::int64_t chunk_rows = 1024;
-  int deflate = 0;  ///< 0: none. Only for data appended in whole chunks: a compressed chunk that is
-                    ///< rewritten moves, which bloats the file and breaks it if the writer is killed
+  int deflate = 0;        ///< 0: none. Only for data appended in whole chunks: a compressed chunk that is
+                          ///< rewritten moves, which bloats the file and breaks it if the writer is killed
+  bool checksum = false;  ///< of every chunk (Fletcher 32): what was damaged cannot be read
 };
 
 /// One HDF5 file. Names are paths inside it ("/series/time"); missing groups are made on the way.
@@ -81,11 +106,12 @@ class File {
   void write_strings(std::string_view name, std::span<const std::string> values);
 
   bool contains(std::string_view name) const;
+  bool is_group(std::string_view name) const;
   std::vector<std::string> children(std::string_view group) const;  ///< names in alphabetical order
   Dataset dataset(std::string_view name) const;
   std::vector<std::string> read_strings(std::string_view name) const;
 
-  /// Attributes of a group or dataset.
+  /// Attributes of a group or dataset; one that is there is replaced.
   void set_attribute(std::string_view object, std::string_view name, std::string_view value);
   void set_attribute(std::string_view object, std::string_view name, double value);
   void set_attribute(std::string_view object, std::string_view name, std::uint64_t value);

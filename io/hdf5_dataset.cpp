@@ -32,21 +32,37 @@ std::int64_t Dataset::columns() const {
   return static_cast<std::int64_t>(extent_of(handle_, where_).size[1]);
 }
 
-void Dataset::append(std::span<const double> values) {
-  if (values.empty()) return;
+Number Dataset::number() const {
+  silence_library();
+  const Handle type = own(H5Dget_type(handle_.get()), where_, "read the type");
+  for (const Number number :
+       {Number::float32, Number::float64, Number::uint8, Number::int32, Number::uint32, Number::int64})
+    if (H5Tequal(type.get(), file_type(number)) > 0) return number;
+  throw std::logic_error(where_ + ": not one of our numbers");
+}
+
+void Dataset::append(const void* values, std::size_t total, Number in_memory) {
+  if (total == 0) return;
   silence_library();
   Extent extent = extent_of(handle_, where_);
-  if (values.size() % extent.size[1] != 0) throw std::logic_error(where_ + ": not a whole number of rows");
+  if (total % extent.size[1] != 0) throw std::logic_error(where_ + ": not a whole number of rows");
   const std::array<hsize_t, 2> start{extent.size[0], 0};
-  const std::array<hsize_t, 2> count{values.size() / extent.size[1], extent.size[1]};
+  const std::array<hsize_t, 2> count{total / extent.size[1], extent.size[1]};
   extent.size[0] += count[0];
   check(H5Dset_extent(handle_.get(), extent.size.data()), where_, "grow");
   const Handle in_file = own(H5Dget_space(handle_.get()), where_, "read the shape");
   check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), where_,
         "select rows");
-  const Handle in_memory = own(H5Screate_simple(extent.rank, count.data(), nullptr), where_, "select rows");
-  check(H5Dwrite(handle_.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(), H5P_DEFAULT, values.data()), where_,
+  const Handle rows = own(H5Screate_simple(extent.rank, count.data(), nullptr), where_, "select rows");
+  check(H5Dwrite(handle_.get(), memory_type(in_memory), rows.get(), in_file.get(), H5P_DEFAULT, values), where_,
         "write");
+}
+
+void Dataset::truncate(std::int64_t rows) {
+  silence_library();
+  Extent extent = extent_of(handle_, where_);
+  extent.size[0] = static_cast<hsize_t>(rows);
+  check(H5Dset_extent(handle_.get(), extent.size.data()), where_, "shorten");
 }
 
 void Dataset::flush() {
@@ -54,13 +70,10 @@ void Dataset::flush() {
   check(H5Dflush(handle_.get()), where_, "write");
 }
 
-std::vector<double> Dataset::read() const {
+void Dataset::read(void* values, std::size_t count, Number in_memory) const {
   silence_library();
-  const Extent extent = extent_of(handle_, where_);
-  std::vector<double> values(extent.size[0] * extent.size[1]);
-  if (!values.empty())
-    check(H5Dread(handle_.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), where_, "read");
-  return values;
+  if (count > 0)
+    check(H5Dread(handle_.get(), memory_type(in_memory), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), where_, "read");
 }
 
 void Dataset::set_attribute(std::string_view name, std::string_view value) {

@@ -33,6 +33,42 @@ void silence_library() {
   [[maybe_unused]] thread_local const herr_t silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
+hid_t file_type(Number number) {
+  switch (number) {
+    case Number::float32:
+      return H5T_IEEE_F32LE;
+    case Number::float64:
+      return H5T_IEEE_F64LE;
+    case Number::uint8:
+      return H5T_STD_U8LE;
+    case Number::int32:
+      return H5T_STD_I32LE;
+    case Number::uint32:
+      return H5T_STD_U32LE;
+    case Number::int64:
+      return H5T_STD_I64LE;
+  }
+  return H5I_INVALID_HID;
+}
+
+hid_t memory_type(Number number) {
+  switch (number) {
+    case Number::float32:
+      return H5T_NATIVE_FLOAT;
+    case Number::float64:
+      return H5T_NATIVE_DOUBLE;
+    case Number::uint8:
+      return H5T_NATIVE_UINT8;
+    case Number::int32:
+      return H5T_NATIVE_INT32;
+    case Number::uint32:
+      return H5T_NATIVE_UINT32;
+    case Number::int64:
+      return H5T_NATIVE_INT64;
+  }
+  return H5I_INVALID_HID;
+}
+
 void fail(const std::string& where, const std::string& what) {
   throw OutputError(where + ": cannot " + what + ": " + innermost_reason());
 }

@@ -29,6 +29,10 @@ inline Handle own(hid_t id, const std::string& where, const char* what) {
   return Handle(check(id, where, what));
 }
 
+/// Types of numbers in our files, and in memory.
+hid_t file_type(Number number);
+hid_t memory_type(Number number);
+
 /// Type of strings in our files: UTF-8, variable length.
 Handle string_type();
 

@@ -15,5 +15,5 @@ endforeach()
 
 gyro_library(gyro_output
   SOURCES hdf5.cpp hdf5_dataset.cpp hdf5_internal.cpp library_file.cpp log.cpp progress.cpp replace_file.cpp results.cpp
-          run_directory.cpp snapshots.cpp summary.cpp summary_text.cpp
+          run_directory.cpp snapshots.cpp state_file.cpp summary.cpp summary_text.cpp
   PRIVATE HDF5::HDF5 VTK::CommonCore VTK::CommonDataModel VTK::IOXML nlohmann_json::nlohmann_json spdlog::spdlog)

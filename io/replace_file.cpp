@@ -47,4 +47,20 @@ void replace_file(const std::filesystem::path& path, std::string_view content, b
   if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, "replace the file");
 }
 
+void sync_file(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) fail(path, "open the file");
+  const bool synced = ::fsync(file) == 0;
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  if (!synced) fail(path, "write");
+}
+
+void put_in_place(const std::filesystem::path& path) {
+  const std::filesystem::path part = path.string() + ".tmp";
+  sync_file(part);
+  if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, "replace the file");
+}
+
 }  // namespace gyro

@@ -2,6 +2,7 @@
 #include "io/results.hpp"
 
 #include "core/base/errors.hpp"
+#include "io/replace_file.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -21,7 +22,7 @@ hdf5::Layout layout_of(const Channel& channel) {
 }
 
 void write_record(hdf5::File& file, const CaseRecord& record) {
-  file.create_group("/case");
+  if (!file.contains("/case")) file.create_group("/case");
   file.set_attribute("/case", "title", record.title);
   file.set_attribute("/case", "resolved_yaml", record.resolved_yaml);
   file.set_attribute("/case", "version", record.version);
@@ -40,6 +41,69 @@ std::vector<Channel> breakage_channels() {
           {"i", "1", 1, Number::uint32},
           {"j", "1", 1, Number::uint32},
           {"energy", "J"}};
+}
+
+/// Groups and channels of the tables, in the order in which they are made.
+std::vector<std::pair<std::string, std::vector<Channel>>> tables_of(const ResultsContent& content) {
+  using hdf5::Number;
+  std::vector<std::pair<std::string, std::vector<Channel>>> tables{
+      {"/series", content.series}, {"/ledger", content.ledger}, {"/performance", content.performance}};
+  if (content.breakage) tables.emplace_back("/breakage", breakage_channels());
+  if (!content.product_sizes.empty()) {
+    const int sieves = static_cast<int>(content.product_sizes.size());
+    tables.push_back({"/product", {{"time", "s"}, {"passing", "1", sieves}}});
+  }
+  for (const LinerMap& liner : content.liners)
+    tables.push_back({"/liners/" + liner.wall,
+                      {{"time", "s"},
+                       {"pressure", "Pa", liner.cells, Number::float32},
+                       {"work", "J", liner.cells, Number::float32}}});
+  return tables;
+}
+
+/// @throws BadInput unless a file has the tables of a content, with the rows to keep
+void require_rows(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep) {
+  const auto refuse = [&](const std::string& why) {
+    return BadInput(path.string() + ": " + why + "; the results that belong to the checkpoint are accepted, " +
+                    "--overwrite starts the run again");
+  };
+  if (!std::filesystem::exists(path)) throw refuse("is missing");
+  const hdf5::File file = hdf5::File::open(path);
+  for (const auto& [group, channels] : tables_of(content)) {
+    for (const Channel& channel : channels) {
+      const std::string name = group + "/" + channel.name;
+      const auto rows = keep.find(group);
+      if (rows == keep.end() || !file.contains(name)) throw refuse("has no " + name);
+      const hdf5::Dataset dataset = file.dataset(name);
+      if (dataset.columns() != channel.columns) throw refuse("has another form of " + name);
+      if (dataset.rows() < rows->second)
+        throw refuse("has " + std::to_string(dataset.rows()) + " rows of " + name + ", not " +
+                     std::to_string(rows->second));
+    }
+  }
+}
+
+/// Drops all rows behind those to keep, in a copy that then takes the file's place.
+void shorten(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep) {
+  const std::filesystem::path part = path.string() + ".tmp";
+  try {
+    std::error_code error;
+    std::filesystem::copy_file(path, part, std::filesystem::copy_options::overwrite_existing, error);
+    if (error) throw OutputError(path.string() + ": cannot copy: " + error.message());
+    hdf5::File file = hdf5::File::modify(part);
+    for (const auto& [group, channels] : tables_of(content))
+      for (const Channel& channel : channels) {
+        hdf5::Dataset dataset = file.dataset(group + "/" + channel.name);
+        if (dataset.rows() > keep.at(group)) dataset.truncate(keep.at(group));
+      }
+    write_record(file, content.record);
+    file.close();
+    put_in_place(path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
 }
 
 }  // namespace
@@ -64,6 +128,7 @@ void ResultsTable::append(std::span<const double> row) {
     begin += part.size();
   }
   ++waiting_rows_;
+  ++rows_;
 }
 
 void ResultsTable::flush() {
@@ -76,29 +141,36 @@ void ResultsTable::flush() {
   waiting_rows_ = 0;
 }
 
+ResultsTable::ResultsTable(const hdf5::File& file, const std::string& group, std::vector<Channel> channels,
+                           std::int64_t rows)
+    : group_(group), channels_(std::move(channels)), waiting_(channels_.size()), rows_(rows) {
+  for (const Channel& channel : channels_) {
+    datasets_.push_back(file.dataset(group + "/" + channel.name));
+    row_length_ += static_cast<std::size_t>(channel.columns);
+  }
+}
+
 ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content)
-    : file_(hdf5::File::create(path)), last_flush_(std::chrono::steady_clock::now()) {
+    : path_(path), file_(hdf5::File::create(path)), last_flush_(std::chrono::steady_clock::now()) {
   write_record(*file_, content.record);
-  const auto add_table = [&](const std::string& group, const std::vector<Channel>& channels) {
+  for (const auto& [group, channels] : tables_of(content)) {
     file_->create_group(group);
     if (!channels.empty()) tables_.emplace(group, ResultsTable(*file_, group, channels));
-  };
-  add_table("/series", content.series);
-  add_table("/ledger", content.ledger);
-  add_table("/performance", content.performance);
-  if (content.breakage) add_table("/breakage", breakage_channels());
+  }
   if (!content.product_sizes.empty()) {
-    const int sieves = static_cast<int>(content.product_sizes.size());
-    add_table("/product", {{"time", "s"}, {"passing", "1", sieves}});
     file_->write_numbers("/product/sizes", content.product_sizes);
     file_->dataset("/product/sizes").set_attribute("units", "m");
   }
-  for (const LinerMap& liner : content.liners) {
-    using hdf5::Number;
-    add_table(
-        "/liners/" + liner.wall,
-        {{"time", "s"}, {"pressure", "Pa", liner.cells, Number::float32}, {"work", "J", liner.cells, Number::float32}});
-  }
+  file_->start_appending();
+}
+
+ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep)
+    : path_(path), last_flush_(std::chrono::steady_clock::now()) {
+  require_rows(path, content, keep);
+  shorten(path, content, keep);
+  file_ = hdf5::File::modify(path);
+  for (const auto& [group, channels] : tables_of(content))
+    if (!channels.empty()) tables_.emplace(group, ResultsTable(*file_, group, channels, keep.at(group)));
   file_->start_appending();
 }
 
@@ -168,6 +240,17 @@ void ResultsFile::flush() {
     throw;
   }
   last_flush_ = std::chrono::steady_clock::now();
+}
+
+void ResultsFile::sync() {
+  flush();
+  sync_file(path_);
+}
+
+ResultsRows ResultsFile::rows() const {
+  ResultsRows rows;
+  for (const auto& [group, table] : tables_) rows[group] = table.rows();
+  return rows;
 }
 
 void ResultsFile::close() {

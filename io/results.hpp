@@ -26,12 +26,16 @@ struct Channel {
 /// Datasets of one group that grow together, a row at a time. Rows wait in memory until written.
 class ResultsTable {
  public:
+  /// Makes the datasets.
   ResultsTable(hdf5::File& file, const std::string& group, std::vector<Channel> channels);
+  /// Goes on with datasets that have `rows` rows.
+  ResultsTable(const hdf5::File& file, const std::string& group, std::vector<Channel> channels, std::int64_t rows);
   /// @param row the channels' values one after the other, as many as all their columns
   void append(std::span<const double> row);
   /// Hands waiting rows to the operating system.
   void flush();
   std::size_t waiting_rows() const { return waiting_rows_; }
+  std::int64_t rows() const { return rows_; }  ///< written and waiting
 
  private:
   std::string group_;
@@ -39,6 +43,7 @@ class ResultsTable {
   std::vector<hdf5::Dataset> datasets_;
   std::vector<std::vector<double>> waiting_;  ///< one buffer a channel
   std::size_t row_length_ = 0, waiting_rows_ = 0;
+  std::int64_t rows_ = 0;
 };
 
 /// Attributes of /case: what made the run.
@@ -66,6 +71,9 @@ struct ResultsContent {
   std::vector<LinerMap> liners;
 };
 
+/// How far the tables of results.h5 have come: rows by group, as {"/series", 120}.
+using ResultsRows = std::map<std::string, std::int64_t>;
+
 /// results.h5 of a run: /case, /series, /ledger, /performance, /breakage, /product, /liners. Rows are
 /// written about every 5 s of wall clock and when the file closes. Readable while it grows and after
 /// the process was killed; then the datasets of a group may differ by the last few rows.
@@ -73,6 +81,9 @@ struct ResultsContent {
 class ResultsFile {
  public:
   ResultsFile(const std::filesystem::path& path, const ResultsContent& content);
+  /// Goes on with the file of a run that had come to `keep`; later rows are dropped. A kill in between leaves
+  /// the file as it was. @throws BadInput for a file with less or other content
+  ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep);
   /// Closes without reporting failures; call close() on the normal way out.
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
@@ -90,6 +101,9 @@ class ResultsFile {
                     std::span<const double> work);
   /// Hands every waiting row to the operating system.
   void flush();
+  /// Waits until the disk has every row.
+  void sync();
+  ResultsRows rows() const;
   /// Writes what waits and closes; nothing can be appended afterwards.
   void close();
 
@@ -97,6 +111,7 @@ class ResultsFile {
   void append(const std::string& group, std::span<const double> row);
   void abandon();
 
+  std::filesystem::path path_;
   std::optional<hdf5::File> file_;
   std::map<std::string, ResultsTable> tables_;  ///< by group
   std::chrono::steady_clock::time_point last_flush_;

@@ -105,7 +105,7 @@ RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
   if (earlier.status == "done") return {path, RunDirectory::State::finished, earlier.simulated_seconds};
   if (!resume)
     throw BadInput("--out " + path.string() + " holds a run that is not finished (" + earlier.status +
-                   "); --overwrite starts again, another directory is accepted");
+                   "); --resume goes on, --overwrite starts again, another directory is accepted");
   return {path, RunDirectory::State::half_done, earlier.simulated_seconds};
 }
 

@@ -157,6 +157,20 @@ SnapshotWriter::SnapshotWriter(std::filesystem::path directory, std::vector<doub
   std::error_code error;
   std::filesystem::create_directories(directory_ / "snapshots", error);
   if (error) throw OutputError((directory_ / "snapshots").string() + ": cannot make it: " + error.message());
+  drop_later_frames();
+}
+
+/// Frames that another run left behind: indices first, so that they never name a missing file.
+void SnapshotWriter::drop_later_frames() const {
+  const auto file = [this](const char* kind, std::size_t frame) { return directory_ / frame_file(kind, frame); };
+  for (const char* kind : {"particles", "bonds", "walls"}) {
+    if (!std::filesystem::exists(file(kind, times_.size()))) continue;
+    write_index(kind);
+    std::error_code error;
+    for (std::size_t frame = times_.size(); std::filesystem::remove(file(kind, frame), error); ++frame) {
+    }
+    if (error) throw OutputError(file(kind, times_.size()).string() + ": cannot remove: " + error.message());
+  }
 }
 
 void SnapshotWriter::write(const SnapshotFrame& frame) {

@@ -36,13 +36,14 @@ struct SnapshotFrame {
 class SnapshotWriter {
  public:
   /// @param directory the run's directory
-  /// @param earlier times of frames that a resumed run has already written; numbering goes on after them
+  /// @param earlier times of frames that a resumed run keeps; later ones are removed, numbering goes on after them
   explicit SnapshotWriter(std::filesystem::path directory, std::vector<double> earlier = {});
   void write(const SnapshotFrame& frame);
   const std::vector<double>& times() const { return times_; }
 
  private:
   void write_index(const std::string& kind) const;
+  void drop_later_frames() const;
 
   std::filesystem::path directory_;
   std::vector<double> times_;

@@ -3,6 +3,7 @@
 #include "io/replace_file.hpp"
 #include "io/results.hpp"
 #include "io/snapshots.hpp"
+#include "io/state_file.hpp"
 #include "io/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/output/scratch.hpp"
@@ -102,4 +103,23 @@ TEST_CASE("A full disk leaves the earlier file as it was") {
   CHECK_THAT(message, Catch::Matchers::Contains("summary.json: cannot write: File too large"));
   CHECK(read_summary(scratch.path())->simulated_seconds == 2);
   CHECK_FALSE(std::filesystem::exists(path.string() + ".tmp"));
+}
+
+TEST_CASE("A full disk while a checkpoint is written leaves the earlier one and no rest") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "checkpoint.h5";
+  SavedState old, large;
+  old.put("numbers/one", std::vector<double>{1});
+  large.put("numbers/many", std::vector<double>(100000, 2));
+  write_state(path, old);
+  for (const rlim_t limit : {0, 100, 3000, 100000, 790000}) {
+    CAPTURE(limit);
+    const std::string message = message_with_limit(limit, [&] { write_state(path, large); });
+    CHECK_THAT(message, Catch::Matchers::StartsWith(path.string()));
+    CHECK_THAT(message, Catch::Matchers::Contains("File too large"));
+    CHECK(read_state(path).get_one<double>("numbers/one") == 1);
+    CHECK_FALSE(std::filesystem::exists(path.string() + ".tmp"));
+  }
+  CHECK(message_with_limit(1000000, [&] { write_state(path, large); }) == "no error");
+  CHECK(read_state(path).get<double>("numbers/many").size() == 100000);
 }

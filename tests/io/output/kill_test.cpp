@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/random.hpp"
 #include "io/results.hpp"
+#include "io/state_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/output/scratch.hpp"
 
@@ -40,19 +41,32 @@ std::size_t count_good_rows(const hdf5::Dataset& dataset) {
   return values.size();
 }
 
-void kill_writer_after(const std::filesystem::path& path, useconds_t microseconds) {
+SavedState state_number(int number) {
+  SavedState state;
+  for (int c = 0; c < 20; ++c)
+    state.put("columns/" + std::to_string(c), std::vector<double>(5000, static_cast<double>(number)));
+  return state;
+}
+
+[[noreturn]] void write_states_forever(const std::filesystem::path& path, int pipe_end) {
+  for (int number = 1;; ++number) {
+    write_state(path, state_number(number));
+    if (number == 1 && ::write(pipe_end, "b", 1) != 1) ::_exit(1);
+  }
+}
+
+/// Starts `write`, which tells through a pipe when it has begun; waits, looks, kills it.
+template <class Write, class Look>
+void kill_writer_after(useconds_t microseconds, const Write& write, const Look& look) {
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
-  if (child == 0) write_forever(path, ends[1]);
+  if (child == 0) write(ends[1]);
   char begun = 0;
   REQUIRE(::read(ends[0], &begun, 1) == 1);
   ::usleep(microseconds);
-  {
-    const hdf5::File growing = hdf5::File::open(path);  // another process writes it at this moment
-    CHECK(count_good_rows(growing.dataset("/series/channel_0")) >= 70);
-  }
+  look();
   ::kill(child, SIGKILL);
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -69,7 +83,12 @@ TEST_CASE("Results can be read while they are written, and read and repaired aft
   for (int kill = 0; kill < 20; ++kill) {
     CAPTURE(kill);
     const double wait = 60e3 * uniform(1, Stream::place, static_cast<std::uint64_t>(kill), 0);
-    kill_writer_after(path, static_cast<useconds_t>(wait));
+    kill_writer_after(
+        static_cast<useconds_t>(wait), [&](int pipe_end) { write_forever(path, pipe_end); },
+        [&] {
+          const hdf5::File growing = hdf5::File::open(path);  // another process writes it at this moment
+          CHECK(count_good_rows(growing.dataset("/series/channel_0")) >= 70);
+        });
     std::size_t rows = 0;
     {
       const hdf5::File file = hdf5::File::open(path);
@@ -80,5 +99,25 @@ TEST_CASE("Results can be read while they are written, and read and repaired aft
     }
     hdf5::File::modify(path).close();
     CHECK(count_good_rows(hdf5::File::open(path).dataset("/series/channel_0")) == rows);
+  }
+}
+
+TEST_CASE("A checkpoint is whole whenever its writer is killed, and at any moment before") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "checkpoint.h5";
+  const auto check_whole = [&] {
+    const SavedState found = read_state(path);
+    const int number = static_cast<int>(found.get<double>("columns/0").at(0));
+    CHECK(number >= 1);
+    CHECK(found.columns().size() == 20);
+    for (const auto& [name, column] : found.columns())
+      CHECK(std::get<std::vector<double>>(column.numbers) == std::vector<double>(5000, number));
+  };
+  for (int kill = 0; kill < 20; ++kill) {
+    CAPTURE(kill);
+    const double wait = 30e3 * uniform(2, Stream::place, static_cast<std::uint64_t>(kill), 0);
+    kill_writer_after(
+        static_cast<useconds_t>(wait), [&](int pipe_end) { write_states_forever(path, pipe_end); }, check_whole);
+    check_whole();
   }
 }

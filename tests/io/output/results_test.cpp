@@ -30,13 +30,17 @@ ResultsContent full_content() {
   return content;
 }
 
-void write_run(const std::filesystem::path& path, int rows) {
-  ResultsFile results(path, full_content());
-  for (int row = 0; row < rows; ++row) {
+void append_rows(ResultsFile& results, int from, int to) {
+  for (int row = from; row < to; ++row) {
     const double t = 0.001 * row;
     results.append_series(std::vector{t, 0.1 + row, 0.2 + row, 0.3 + row, 1e9 + row});
     results.append_ledger(std::vector{t, 2 * t});
   }
+}
+
+void write_run(const std::filesystem::path& path, int rows) {
+  ResultsFile results(path, full_content());
+  append_rows(results, 0, rows);
   results.close();
 }
 
@@ -198,4 +202,43 @@ TEST_CASE("Errors name the file and the reason") {
   }
   std::ofstream(scratch.path() / "text.h5") << "no HDF5";
   CHECK_THROWS_AS(hdf5::File::open(scratch.path() / "text.h5"), OutputError);
+}
+
+TEST_CASE("Results that go on behind the rows kept read as if never interrupted") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5", whole = scratch.path() / "whole.h5";
+  const int keep = GENERATE(0, 1, 700, 2499, 2500);
+  write_run(whole, 2500);
+  write_run(path, 2500);  // has gone on past its checkpoint
+  const ResultsRows rows{{"/series", keep}, {"/ledger", keep}, {"/performance", 0},
+                         {"/breakage", 0},  {"/product", 0},   {"/liners/mantle", 0}};
+  {
+    ResultsFile results(path, full_content(), rows);
+    CHECK(results.rows() == rows);
+    append_rows(results, keep, 2500);
+    CHECK(results.rows().at("/series") == 2500);
+    results.close();
+  }
+  const hdf5::File a = hdf5::File::open(whole), b = hdf5::File::open(path);
+  for (const char* name : {"/series/time", "/series/mantle_force", "/series/particles", "/ledger/kinetic"})
+    CHECK(a.dataset(name).read() == b.dataset(name).read());
+  CHECK(b.string_attribute("/case", "resolved_yaml") == full_content().record.resolved_yaml);
+  CHECK(b.dataset("/product/sizes").rows() == 3);
+}
+
+TEST_CASE("Results that lack rows or tables of the checkpoint are refused and stay as they were") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  ResultsRows rows{{"/series", 10},  {"/ledger", 10}, {"/performance", 0},
+                   {"/breakage", 0}, {"/product", 0}, {"/liners/mantle", 0}};
+  CHECK_THROWS_AS(ResultsFile(path, full_content(), rows), BadInput);
+  write_run(path, 9);
+  const std::string before = bytes(path);
+  CHECK_THROWS_WITH(ResultsFile(path, full_content(), rows),
+                    Catch::Matchers::Contains("has 9 rows of /series/time, not 10"));
+  ResultsContent other = full_content();
+  other.ledger.push_back({"friction", "J"});
+  rows["/series"] = rows["/ledger"] = 9;
+  CHECK_THROWS_WITH(ResultsFile(path, other, rows), Catch::Matchers::Contains("/ledger/friction"));
+  CHECK(bytes(path) == before);
 }

@@ -138,6 +138,22 @@ TEST_CASE("The indices name every frame with its time, also after a resume") {
   CHECK_FALSE(std::filesystem::exists(scratch.path() / "particles.pvd.tmp"));
 }
 
+TEST_CASE("Frames behind those that a resumed run keeps go, from the index and from the disk") {
+  const ScratchDirectory scratch;
+  const ParticleSnapshot particles = three_particles();
+  {
+    SnapshotWriter writer(scratch.path());
+    for (const double time : {0.0, 0.02, 0.04, 0.06}) writer.write({.time = time, .particles = &particles});
+  }
+  const SnapshotWriter resumed(scratch.path(), {0.0, 0.02});
+  const auto frame = [&](const char* name) { return std::filesystem::exists(scratch.path() / "snapshots" / name); };
+  CHECK(frame("particles_000001.vtp"));
+  CHECK_FALSE(frame("particles_000002.vtp"));
+  CHECK_FALSE(frame("particles_000003.vtp"));
+  const std::string index = text_of(scratch.path() / "particles.pvd");
+  CHECK_THAT(index, Contains("particles_000001.vtp") && !Contains("particles_000002.vtp"));
+}
+
 TEST_CASE("An empty scene gives files that VTK reads") {
   const ScratchDirectory scratch;
   const ParticleSnapshot none_left;
