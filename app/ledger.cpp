@@ -49,4 +49,24 @@ std::optional<std::string> Ledger::verdict(double time) const {
   return "stopped at t = " + std::to_string(time) + " s: " + why.str();
 }
 
+void Ledger::save(SavedState& to) const {
+  const Extremes& x = extremes_;
+  to.put_one("ledger/energy", energy_);
+  to.put("ledger/extremes",
+         std::vector<double>{double(x.finite), double(x.culprit), x.overlap_ratio, x.speed_ratio, x.turn});
+  to.put("ledger/sums",
+         std::vector<double>{potential_before_, gravity_work_, gravity_turnover_, largest_state_, worst_overlap_});
+}
+
+void Ledger::restore(const SavedState& from) {
+  energy_ = from.get_one<EnergyTerms>("ledger/energy");
+  const std::vector<double> x = from.get<double>("ledger/extremes", 5), sums = from.get<double>("ledger/sums", 5);
+  extremes_ = {x[0] != 0, static_cast<ParticleId>(x[1]), x[2], x[3], x[4]};
+  potential_before_ = sums[0];
+  gravity_work_ = sums[1];
+  gravity_turnover_ = sums[2];
+  largest_state_ = sums[3];
+  worst_overlap_ = sums[4];
+}
+
 }  // namespace gyro

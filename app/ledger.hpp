@@ -44,6 +44,9 @@ class Ledger {
   /// Residual over the work that walls and gravity have done; 0 before any work.
   double residual_fraction() const;
 
+  void save(SavedState& to) const;
+  void restore(const SavedState& from);
+
  private:
   std::optional<std::string> verdict(double time) const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/assembly.hpp"
+#include "app/checkpoint.hpp"
 #include "app/commands.hpp"
 #include "app/device.hpp"
 #include "app/run_output.hpp"
@@ -32,15 +33,18 @@ double seconds_since(Clock::time_point start) {
 class Run {
  public:
   /// Nothing is written before the case is known to be sound.
-  Run(const RunArguments& arguments, const Case& input, const RunDirectoryRequest& request)
+  /// @param saved  state to go on with, else null
+  Run(const RunArguments& arguments, const Case& input, const RunDirectoryRequest& request, const SavedState* saved)
       : arguments_(arguments),
         input_(input),
         device_(choose_device(arguments.device, arguments.threads)),
         assembly_(assemble(input)),
-        simulation_(input, assembly_, make_dem(device_, assembly_.scene, loads())),
+        simulation_(made_simulation(saved)),
         directory_(open_run_directory(request)),
         log_(directory_.path / "log.txt"),
-        output_(input, assembly_, record(), directory_.path) {
+        output_(input, assembly_, record(), directory_.path, saved),
+        checkpoints_(directory_.path, input) {
+    if (saved) log_resumption(*saved);
     for (const std::string& note : assembly_.notes) log_.info(note);
     replace_file(directory_.path / "case.yaml", input.resolved);
   }
@@ -50,14 +54,8 @@ class Run {
     int code = exit_done;
     Summary summary = base_summary();
     try {
-      code = steps(summary);
+      code = guarded_steps(summary);
       output_.close(simulation_);
-    } catch (const StoppedByGuard& stop) {
-      summary.status = RunStatus::stopped;
-      summary.reason = stop.what();
-      log_.error(stop.what());
-      output_.close(simulation_);
-      code = exit_stopped;
     } catch (const std::exception& failure) {
       fail(summary, failure.what());
       throw;
@@ -68,6 +66,18 @@ class Run {
 
  private:
   Loads loads() const { return input_.numerics.precision == Precision::mixed ? Loads::single : Loads::double_; }
+
+  Simulation made_simulation(const SavedState* saved) const {
+    auto dem = make_dem(device_, assembly_.scene, loads());
+    if (!saved) return Simulation(input_, assembly_, std::move(dem));
+    try {
+      return Simulation(input_, assembly_, std::move(dem), *saved);
+    } catch (const BadKey&) {
+      throw;
+    } catch (const BadInput& problem) {
+      throw BadInput(checkpoint_file(*arguments_.out).string() + " " + problem.what());
+    }
+  }
 
   CaseRecord record() const {
     CaseRecord r;
@@ -83,23 +93,39 @@ class Run {
 
   double end() const { return arguments_.until.value_or(input_.time.duration); }
 
+  int guarded_steps(Summary& summary) {
+    try {
+      return steps(summary);
+    } catch (const StoppedByGuard& stop) {
+      summary.status = RunStatus::stopped;
+      summary.reason = stop.what();
+      log_.error(stop.what());
+      checkpoints_.write_last_good(output_);
+      return exit_stopped;
+    }
+  }
+
   int steps(Summary& summary) {
-    Progress progress(0, end(), ProgressStyle::for_stderr(arguments_.quiet));
-    output_.begin(simulation_);
+    Progress progress(simulation_.time(), end(), ProgressStyle::for_stderr(arguments_.quiet));
+    if (!resumed_) output_.begin(simulation_);
+    checkpoints_.look_at(simulation_, output_);
     const double rounding = 1e-6 * assembly_.step.per_window * assembly_.step.dt;
     while (simulation_.time() < end() - rounding) {
       output_.take(simulation_.advance(), simulation_);
       log_drive_events();
       simulation_.require_sound();
+      checkpoints_.look_at(simulation_, output_);
       progress.update(progress_state());
       const bool late = arguments_.max_walltime && seconds_since(start_) > *arguments_.max_walltime;
       if (stop_request() == StopRequest::keep_going && !late) continue;
       summary.status = RunStatus::interrupted;
       summary.reason = late ? "--max-walltime is over" : "a signal asked to stop";
       progress.finish(progress_state());
+      checkpoints_.write(simulation_, output_);
       return exit_resume_me;
     }
     progress.finish(progress_state());
+    checkpoints_.write(simulation_, output_);
     summary.status = RunStatus::done;
     return exit_done;
   }
@@ -138,6 +164,16 @@ class Run {
     if (!arguments_.quiet) std::cerr << line << "\nresults in " << directory_.path.string() << "\n";
   }
 
+  void log_resumption(const SavedState& saved) {
+    resumed_ = true;
+    if (simulation_.drivetrain()) drive_events_logged_ = simulation_.drivetrain()->state().events;
+    const std::string writer = writer_of(saved), here = this_program();
+    log_.info("goes on at t = " + std::to_string(simulation_.time()) + " s from checkpoint.h5");
+    if (writer != here)
+      log_.warning("checkpoint.h5 was written by gyrosim " + writer + ", this is " + here +
+                   ": the same bits as without interruption are not certain");
+  }
+
   Summary base_summary() const {
     Summary s;
     s.title = input_.identity.title;
@@ -154,7 +190,7 @@ class Run {
   void finish(Summary& s) {
     const Counts counts = simulation_.dem().counts();
     s.simulated_seconds = simulation_.time();
-    s.wall_seconds = seconds_since(start_);
+    s.wall_seconds = output_.earlier_seconds() + seconds_since(start_);
     s.particle_steps = counts.particle_steps;
     s.bond_steps = counts.bond_steps;
     s.particles = counts.particles;
@@ -193,7 +229,7 @@ class Run {
     s.status = RunStatus::failed;
     s.reason = reason;
     s.simulated_seconds = simulation_.time();
-    s.wall_seconds = seconds_since(start_);
+    s.wall_seconds = output_.earlier_seconds() + seconds_since(start_);
     try {
       write_summary(s, directory_.path);
     } catch (const OutputError&) {  // the failure itself is reported
@@ -219,7 +255,20 @@ class Run {
   Log log_;
   RunOutput output_;
   double drive_events_logged_ = 0;
+  CheckpointKeeper checkpoints_;
+  bool resumed_ = false;
 };
+
+/// The state to go on with, if a run is there that can go on.
+std::optional<SavedState> state_to_go_on_with(const Case& input, const RunDirectory& directory) {
+  if (directory.state == RunDirectory::State::fresh) return {};
+  if (directory.state == RunDirectory::State::finished || std::filesystem::exists(checkpoint_file(directory.path)))
+    return read_checkpoint(directory.path, input);
+  // It ended before its first checkpoint: nothing is lost when the same case starts again.
+  require_same_case(directory.path, input);
+  std::cerr << directory.path.string() << " holds no checkpoint yet; the run starts at its beginning\n";
+  return {};
+}
 
 }  // namespace
 
@@ -229,16 +278,18 @@ int run_command(const RunArguments& arguments) {
   const RunDirectoryRequest request{arguments.out, arguments.input.file.stem().string(), arguments.resume,
                                     arguments.overwrite};
   const RunDirectory directory = find_run_directory(request);
-  if (directory.state == RunDirectory::State::finished && !arguments.resume) {
+  const double end = arguments.until.value_or(input->time.duration), later = end - directory.simulated_seconds;
+  if (directory.state == RunDirectory::State::finished &&
+      (!arguments.resume || later < 1e-6 * input->coupling_interval)) {
     std::cerr << directory.path.string() << " holds a finished run; nothing to do\n";
     return exit_done;
   }
-  if (arguments.resume && directory.state != RunDirectory::State::fresh)
-    throw BadInput(directory.path.string() +
-                   ": this version keeps no checkpoint to resume from; --overwrite starts the run again");
   catch_stop_signals();
   std::optional<Run> run;
-  located(arguments.input, [&] { run.emplace(arguments, *input, request); });
+  located(arguments.input, [&] {
+    const std::optional<SavedState> saved = state_to_go_on_with(*input, directory);
+    run.emplace(arguments, *input, request, saved ? &*saved : nullptr);
+  });
   return run->run();
 }
 

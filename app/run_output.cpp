@@ -23,6 +23,29 @@ std::vector<Channel> performance_channels() {
   return {{"time", "s"}, {"wall_seconds", "s"}, {"particle_steps", "1"}, {"bond_steps", "1"}, {"list_rebuilds", "1"}};
 }
 
+constexpr const char* rows_prefix = "results";
+constexpr const char* sums_prefix = "sums/";
+
+/// Columns whose names begin so, by the rest of their names.
+template <class T>
+std::map<std::string, std::vector<T>> columns_below(const SavedState& saved, const std::string& prefix) {
+  std::map<std::string, std::vector<T>> found;
+  for (const auto& [name, column] : saved.columns())
+    if (name.starts_with(prefix)) found[name.substr(prefix.size())] = saved.get<T>(name);
+  return found;
+}
+
+ResultsRows saved_rows(const SavedState& saved) {
+  ResultsRows rows;
+  for (const auto& [group, count] : columns_below<std::int64_t>(saved, rows_prefix)) rows[group] = count.at(0);
+  return rows;
+}
+
+/// Intervals that are over at a time.
+std::int64_t intervals(double interval, double time) {
+  return interval > 0 ? static_cast<std::int64_t>(std::floor(time / interval * (1 + 1e-9))) : 0;
+}
+
 PosedWall posed(const WallPicture& picture, const WallPose& pose) {
   PosedWall out{picture.mesh, picture.wall};
   for (Vec3d& v : out.mesh.vertices) v = to_world(pose, v);
@@ -32,7 +55,7 @@ PosedWall posed(const WallPicture& picture, const WallPose& pose) {
 }  // namespace
 
 RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
-                     const std::filesystem::path& directory)
+                     const std::filesystem::path& directory, const SavedState* saved)
     : input_(input),
       assembly_(assembly),
       has_mantle_(assembly.gyrating != none),
@@ -41,8 +64,11 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
       has_feed_(input.feed.has_value()),
       has_product_(input.crusher.has_value()),
       series_(series_channels()),
-      results_(directory / "results.h5", content(record)),
-      snapshots_(directory) {}
+      results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_rows(*saved))
+                     : ResultsFile(directory / "results.h5", content(record))),
+      snapshots_(directory, saved ? saved->get<double>("output/snapshot_times") : std::vector<double>{}) {
+  if (saved) restore(*saved);
+}
 
 std::vector<Channel> RunOutput::series_channels() const {
   using hdf5::Number;
@@ -151,7 +177,7 @@ void RunOutput::write_row(Simulation& simulation) {
   now["bonds_broken_shear"] = static_cast<double>(counts.broken_shear);
   now["fragments"] = static_cast<double>(simulation.fragments());
   now["max_overlap_ratio"] = simulation.ledger().extremes().overlap_ratio;
-  now["wall_seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  now["wall_seconds"] = wall_seconds();
 
   std::vector<double> row;
   for (const Channel& channel : series_) {
@@ -205,6 +231,34 @@ void RunOutput::write_snapshot(const Simulation& simulation) {
     walls.push_back(posed(picture, poses[static_cast<std::size_t>(picture.wall)]));
   snapshots_.write({simulation.time(), &particles, has_bonds_ ? &bonds : nullptr, walls});
   ++frames_;
+}
+
+double RunOutput::wall_seconds() const {
+  return earlier_seconds_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void RunOutput::save(SavedState& to) const {
+  for (const auto& [group, rows] : results_.rows()) to.put_one(rows_prefix + group, rows);
+  for (const auto& [name, sum] : sums_) to.put(sums_prefix + name, sum);
+  to.put("output/numbers", std::vector<double>{summed_time_, discharged_before_, crushing_work_, time_, wall_seconds(),
+                                               input_.output.series, input_.output.snapshots});
+  to.put("output/intervals", std::vector<std::int64_t>{rows_, frames_});
+  to.put("output/snapshot_times", snapshots_.times());
+}
+
+void RunOutput::restore(const SavedState& from) {
+  sums_ = columns_below<double>(from, sums_prefix);
+  const std::vector<double> numbers = from.get<double>("output/numbers", 7);
+  const auto intervals_over = from.get<std::int64_t>("output/intervals", 2);
+  summed_time_ = numbers[0];
+  discharged_before_ = numbers[1];
+  crushing_work_ = numbers[2];
+  time_ = numbers[3];
+  earlier_seconds_ = numbers[4];
+  // With another interval the next row or frame is the first that lies ahead.
+  const CaseOutput& now = input_.output;
+  rows_ = now.series == numbers[5] ? intervals_over[0] : intervals(now.series, time_);
+  frames_ = now.snapshots == numbers[6] ? intervals_over[1] : intervals(now.snapshots, time_) + 1;
 }
 
 void RunOutput::close(Simulation& simulation) {

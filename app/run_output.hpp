@@ -18,13 +18,20 @@ namespace gyro {
 /// What a case does not have gets no column.
 class RunOutput {
  public:
+  /// @param saved  of an output to go on with, else null; what the directory holds beyond it is dropped
+  /// @throws BadInput for a directory that does not hold what was written until then
   RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
-            const std::filesystem::path& directory);
+            const std::filesystem::path& directory, const SavedState* saved = nullptr);
 
   /// Writes the snapshot of the start, if the case asks for snapshots.
   void begin(const Simulation& simulation);
   /// Adds a window to the means; writes the row and the snapshot that are due.
   void take(const WindowResult& result, Simulation& simulation);
+  /// Sums and places in the files between two windows.
+  void save(SavedState& to) const;
+  /// Waits until the disk has all rows: a checkpoint must never be ahead of them.
+  void sync() { results_.sync(); }
+  double earlier_seconds() const { return earlier_seconds_; }  ///< wall clock of the run's earlier parts
   /// Writes what is left and closes the files.
   void close(Simulation& simulation);
 
@@ -36,6 +43,8 @@ class RunOutput {
 
   std::vector<Channel> series_channels() const;
   ResultsContent content(const CaseRecord& record) const;
+  void restore(const SavedState& saved);
+  double wall_seconds() const;
   void add_means(const WindowResult& result, const Simulation& simulation);
   void write_row(Simulation& simulation);
   void write_ledger(const Simulation& simulation);
@@ -49,11 +58,12 @@ class RunOutput {
   ResultsFile results_;
   SnapshotWriter snapshots_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double earlier_seconds_ = 0;
 
   Row sums_;                ///< of window value x window length since the last row
   double summed_time_ = 0;  ///< [s]
-  double discharged_before_ = 0, crushing_work_ = 0, time_ = 0, power_residual_ = 0;
-  std::int64_t rows_ = 0, frames_ = 0;
+  double discharged_before_ = 0, crushing_work_ = 0, time_ = 0;
+  std::int64_t rows_ = 0, frames_ = 0;  ///< intervals of output.series and output.snapshots that are over
 };
 
 }  // namespace gyro

@@ -7,16 +7,40 @@
 
 namespace gyro {
 
+template <>
+struct RowOf<DrivetrainState> : MadeOf<double> {};
+
+namespace {
+
+double rock_density(const Assembly& assembly) {
+  return assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
+}
+
+}  // namespace
+
 Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem)
     : input_(input), assembly_(assembly), dem_(std::move(dem)) {
-  if (input.drivetrain) blaming("drivetrain", [&] { drivetrain_.emplace(*input.drivetrain); });
+  make_parts();
   blaming("particles", [&] { put_in(assembly.start); });
   for (const double mass : dem_->particles().mass) start_mass_ += mass;
-  if (assembly.feed) blaming("feed", [&] { start_feed(); });
-  if (input.crusher)
-    product_.emplace(assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density);
+  if (feed_) blaming("feed", [&] { put_in(feed_->initial(dem_->wall_poses(), dem_->particles())); });
   inspect();
   ledger_.open(dem_->energy());
+}
+
+Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem, const SavedState& saved)
+    : input_(input), assembly_(assembly), dem_(std::move(dem)) {
+  make_parts();
+  restore(saved);
+}
+
+/// What a case has besides the DEM, at its start.
+void Simulation::make_parts() {
+  if (input_.drivetrain) blaming("drivetrain", [&] { drivetrain_.emplace(*input_.drivetrain); });
+  if (assembly_.feed)
+    blaming("feed",
+            [&] { feed_.emplace(assembly_.library, *assembly_.feed, assembly_.scene.walls, bond_strength(input_)); });
+  if (input_.crusher) product_.emplace(rock_density(assembly_));
 }
 
 WindowResult Simulation::advance() {
@@ -71,11 +95,6 @@ void Simulation::put_in(std::span<const NewRock> rocks) {
   dem_->insert(rocks);
 }
 
-void Simulation::start_feed() {
-  feed_.emplace(assembly_.library, *assembly_.feed, assembly_.scene.walls, bond_strength(input_));
-  put_in(feed_->initial(dem_->wall_poses(), dem_->particles()));
-}
-
 void Simulation::feed_rock() {
   if (feed_ && feed_->wants(time())) put_in(feed_->due(time(), dem_->wall_poses(), dem_->particles()));
   ledger_.open(dem_->energy());
@@ -106,6 +125,37 @@ MassCount Simulation::mass_count() const {
     count.inside = product_->inside(dem_->particles());
   }
   return count;
+}
+
+SavedState Simulation::save() const {
+  SavedState s = dem_->save();
+  s.put_one("simulation/time_step", assembly_.scene.dt);
+  s.put_one("simulation/step", step_);
+  s.put("simulation/counts", std::vector<std::int64_t>{particles_put_in_, bonds_put_in_, fragments_});
+  s.put_one("simulation/start_mass", start_mass_);
+  if (drivetrain_) s.put_one("drivetrain/state", drivetrain_->state());
+  if (feed_) s.put_fields("feed", feed_->state());
+  if (product_) s.put_fields("product", product_->state());
+  ledger_.save(s);
+  return s;
+}
+
+void Simulation::restore(const SavedState& s) {
+  const auto dt = s.get_one<double>("simulation/time_step");
+  if (dt != assembly_.scene.dt)
+    throw BadInput("was written with a time step of " + std::to_string(dt * 1e6) + " us, not of " +
+                   std::to_string(assembly_.scene.dt * 1e6) + " us; the same program and input files are accepted");
+  dem_->restore(s);
+  step_ = s.get_one<std::int64_t>("simulation/step");
+  const auto counts = s.get<std::int64_t>("simulation/counts", 3);
+  particles_put_in_ = counts[0];
+  bonds_put_in_ = counts[1];
+  fragments_ = counts[2];
+  start_mass_ = s.get_one<double>("simulation/start_mass");
+  if (drivetrain_) drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain/state"));
+  if (feed_) feed_->restore(s.get_fields<Feed::State>("feed"));
+  if (product_) product_.emplace(rock_density(assembly_), s.get_fields<Product::State>("product"));
+  ledger_.restore(s);
 }
 
 }  // namespace gyro

@@ -30,6 +30,8 @@ class Simulation {
   /// @param dem  empty scene made from `assembly.scene`
   /// @throws BadKey for a start state or a feed that cannot be had
   Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem);
+  /// Goes on from what a simulation of the same case has saved. @throws BadInput for another one's
+  Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem, const SavedState& saved);
 
   /// Advances by one window. Ask for the verdict before the next one.
   WindowResult advance();
@@ -54,10 +56,13 @@ class Simulation {
   MassCount mass_count() const;
   std::int64_t fragments() const { return fragments_; }
   std::int64_t bonds_initial() const { return bonds_put_in_; }
+  /// What must be kept to go on bit for bit, between windows of a sound run.
+  SavedState save() const;
 
  private:
+  void make_parts();
+  void restore(const SavedState& saved);
   void put_in(std::span<const NewRock> rocks);
-  void start_feed();
   void feed_rock();
   MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double length) const;
 

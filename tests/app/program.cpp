@@ -28,6 +28,12 @@ Outcome Workplace::gyrosim_with_signal(const std::string& arguments, const std::
   return call("timeout -s " + signal + " --preserve-status " + std::to_string(seconds) + " '" GYROSIM "' " + arguments);
 }
 
+Outcome Workplace::gyrosim_with_file_limit(const std::string& arguments, std::size_t bytes) const {
+  // A shell counts in blocks of 512 bytes; without the signal a write beyond them fails as on a full disk.
+  return call("sh -c 'trap \"\" XFSZ; ulimit -f " + std::to_string(bytes / 512) +
+              "; exec \"$0\" \"$@\"' '" GYROSIM "' " + arguments);
+}
+
 void Workplace::write(const std::string& name, const std::string& text) const {
   std::ofstream(work_.path() / name) << text;
 }
@@ -58,6 +64,14 @@ std::vector<double> result_of(const fs::path& run, const std::string& dataset) {
 std::vector<std::string> results_in(const fs::path& run, const std::string& group) {
   const hdf5::File file = hdf5::File::open(run / "results.h5");
   return file.contains(group) ? file.children(group) : std::vector<std::string>{};
+}
+
+std::vector<std::pair<std::string, std::vector<double>>> all_results(const fs::path& run) {
+  std::vector<std::pair<std::string, std::vector<double>>> found;
+  for (const std::string group : {"series", "ledger", "breakage", "product"})
+    for (const std::string& name : results_in(run, group))
+      if (name != "wall_seconds") found.emplace_back(group + "/" + name, result_of(run, group + "/" + name));
+  return found;
 }
 
 }  // namespace gyro

@@ -25,6 +25,9 @@ class Workplace {
   /// The same, with a signal some seconds after the start.
   Outcome gyrosim_with_signal(const std::string& arguments, const std::string& signal, double seconds) const;
 
+  /// The same, on a disk that takes no file of more than about so many bytes.
+  Outcome gyrosim_with_file_limit(const std::string& arguments, std::size_t bytes) const;
+
   std::filesystem::path path() const { return work_.path(); }
   void write(const std::string& name, const std::string& text) const;
   /// Files and folders below, in order.
@@ -44,6 +47,9 @@ nlohmann::json summary_of(const std::filesystem::path& run);
 
 /// A dataset of results.h5 of a run, as "series/time".
 std::vector<double> result_of(const std::filesystem::path& run, const std::string& dataset);
+
+/// Every number of results.h5 of a run that two equal runs share, by name in order.
+std::vector<std::pair<std::string, std::vector<double>>> all_results(const std::filesystem::path& run);
 
 /// Names of datasets of a group of results.h5, in order; none if there is no such group.
 std::vector<std::string> results_in(const std::filesystem::path& run, const std::string& group);

@@ -17,15 +17,6 @@ namespace fs = std::filesystem;
 const std::string crush = "'" GYRO_APP_CASES "/crush.yaml'", platen = "'" GYRO_APP_CASES "/platen.yaml'",
                   box = "'" GYRO_CASES "/box.yaml'", quickstart = "'" GYRO_CASES "/quickstart.yaml'";
 
-/// Every number of results.h5 but the wall clock's, in order of name.
-std::vector<std::pair<std::string, std::vector<double>>> all_results(const fs::path& run) {
-  std::vector<std::pair<std::string, std::vector<double>>> found;
-  for (const std::string group : {"series", "ledger", "breakage", "product"})
-    for (const std::string& name : results_in(run, group))
-      if (name != "wall_seconds") found.emplace_back(group + "/" + name, result_of(run, group + "/" + name));
-  return found;
-}
-
 /// Runs a case to its end. @returns the run's directory
 fs::path done(const Workplace& place, const std::string& arguments, const std::string& name) {
   const Outcome outcome = place.gyrosim("run " + arguments + " --out " + name);

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs that were interrupted and go on: the same numbers as without interruption, whatever interrupted them.
+#include "tests/app/program.hpp"
+#include "tests/catch.hpp"
+
+#include <fstream>
+
+namespace {
+
+using namespace gyro;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+/// Rocks break, are fed, fall through and are taken out; rows are longer than windows.
+const std::string crush = "run '" GYRO_APP_CASES
+                          "/crush.yaml' --set feed.rate=20 --set 'crusher.removal_depth=1 mm' "
+                          "--set 'output.series=2 ms' --set 'output.snapshots=5 ms' ";
+const std::string box = "run '" GYRO_CASES "/box.yaml' ";
+
+void require_same_results(const fs::path& a, const fs::path& b) {
+  const auto one = all_results(a), other = all_results(b);
+  REQUIRE(one.size() == other.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    INFO(one[k].first);
+    CHECK(one[k].first == other[k].first);
+    CHECK(one[k].second == other[k].second);
+  }
+  for (const char* name : {"particles.pvd", "bonds.pvd", "walls.pvd"})
+    CHECK(read_text(a / name) == read_text(b / name));
+  for (const auto& frame : fs::directory_iterator(a / "snapshots")) {
+    INFO(frame.path());
+    CHECK(read_text(frame.path()) == read_text(b / "snapshots" / frame.path().filename()));
+  }
+  const nlohmann::json first = summary_of(a), second = summary_of(b);
+  for (const auto& [key, value] : first.items()) {
+    INFO(key);
+    if (key != "wall_seconds" && key != "threads") CHECK(second[key] == value);
+  }
+}
+
+/// A small bouncing run of 1600 windows, for what does not depend on the case.
+const std::string bounce =
+    box + "--set 'output.snapshots=50 ms' --set 'output.series=3 ms' --set 'time.duration=0.8 s' ";
+
+}  // namespace
+
+TEST_CASE("A run in parts has the numbers of one piece: breaking, feeding, removal, either precision, any threads") {
+  const std::string precision = GENERATE(as<std::string>{}, "mixed", "double");
+  const Workplace place;
+  const std::string run = crush + "--set numerics.precision=" + precision;
+  REQUIRE(place.gyrosim(run + " --until '48 ms' --out whole").code == 0);
+  const nlohmann::json whole = summary_of(place.path() / "whole");
+  REQUIRE(whole["bonds_broken"] > 50);
+  REQUIRE(result_of(place.path() / "whole", "series/feed_mass").back() >
+          result_of(place.path() / "whole", "series/feed_mass").front());
+  const std::vector<double> particles = result_of(place.path() / "whole", "series/particles");
+  REQUIRE(std::adjacent_find(particles.begin(), particles.end(), std::greater<>()) != particles.end());  // removal
+
+  REQUIRE(place.gyrosim(run + " --until '17 ms' --out parts").code == 0);  // in the middle of a row
+  REQUIRE(place.gyrosim(run + " --until '33.5 ms' --out parts --resume --threads 2").code == 0);
+  const Outcome last = place.gyrosim(run + " --until '48 ms' --out parts --resume");
+  REQUIRE(last.code == 0);
+  require_same_results(place.path() / "whole", place.path() / "parts");
+  CHECK(read_text(place.path() / "parts/log.txt").find("goes on at t = 0.0335") != std::string::npos);
+}
+
+TEST_CASE("A run stopped by --max-walltime or a signal goes on until it is done, with the same numbers") {
+  const bool by_signal = GENERATE(false, true);
+  const Workplace place;
+  REQUIRE(place.gyrosim(bounce + "--out whole").code == 0);
+  int parts = 1, code = 0;
+  for (; parts < 100; ++parts) {
+    const std::string run = bounce + "--out parts --resume";
+    code = by_signal ? place.gyrosim_with_signal(run, "TERM", 0.1 + 0.05 * parts).code
+                     : place.gyrosim(run + " --max-walltime " + std::to_string(0.05 * parts)).code;
+    if (code != 75) break;
+    CHECK(summary_of(place.path() / "parts")["status"] == "interrupted");
+    CHECK(fs::exists(place.path() / "parts/checkpoint.h5"));
+  }
+  CHECK(code == 0);
+  CHECK(parts > 1);
+  require_same_results(place.path() / "whole", place.path() / "parts");
+}
+
+TEST_CASE("A run killed again and again goes on from its last checkpoint, with the same numbers") {
+  const Workplace place;
+  REQUIRE(place.gyrosim(bounce + "--out whole").code == 0);
+  const std::string run = bounce + "--set 'output.checkpoints=20 ms' --out parts --resume";
+  int kills = 0;
+  Outcome last{-1, "", ""};
+  for (; kills < 100; ++kills) {
+    last = place.gyrosim_with_signal(run, "KILL", 0.15 + 0.05 * kills);
+    if (last.code == 0) break;
+    INFO(last.err);
+    REQUIRE(last.code == 137);
+  }
+  INFO(last.err);
+  CHECK(last.code == 0);
+  CHECK(kills > 1);
+  require_same_results(place.path() / "whole", place.path() / "parts");
+}
+
+TEST_CASE("A finished run goes on with a later end and is left alone otherwise") {
+  const Workplace place;
+  const fs::path run = place.path() / "r";
+  REQUIRE(place.gyrosim(box + "--out r --until '5 ms'").code == 0);
+  const std::string summary = read_text(run / "summary.json");
+  for (const std::string until : {"'5 ms'", "'3 ms'"}) {
+    CHECK(place.gyrosim(box + "--out r --resume --until " + until).code == 0);
+    CHECK(read_text(run / "summary.json") == summary);
+  }
+  CHECK(place.gyrosim(box + "--out r --until '8 ms'").code == 0);
+  CHECK(read_text(run / "summary.json") == summary);
+  CHECK(place.gyrosim(box + "--out r --resume --until '8 ms'").code == 0);
+  CHECK(summary_of(run)["simulated_seconds"].get<double>() == Approx(0.008));
+  CHECK(place.gyrosim(box + "--out r --resume --set 'time.duration=9 ms'").code == 0);
+  CHECK(summary_of(run)["simulated_seconds"].get<double>() == Approx(0.009));
+  CHECK(result_of(run, "series/time").size() == 9);
+}
+
+TEST_CASE("The cadence of the output may change when a run goes on") {
+  const Workplace place;
+  REQUIRE(place.gyrosim(box + "--out r --until '10 ms' --set 'output.series=4 ms'").code == 0);
+  REQUIRE(place
+              .gyrosim(box + "--out r --resume --until '12 ms' --set 'output.series=1 ms' "
+                             "--set 'output.snapshots=1 ms'")
+              .code == 0);
+  const std::vector<double> time = result_of(place.path() / "r", "series/time");
+  REQUIRE(time.size() == 4);  // 4 and 8 ms, then each millisecond from 10 ms on
+  CHECK(time[1] == Approx(0.008));
+  CHECK(time[2] == Approx(0.011));
+  CHECK(fs::exists(place.path() / "r/snapshots/particles_000002.vtp"));
+  CHECK_FALSE(fs::exists(place.path() / "r/snapshots/particles_000003.vtp"));
+}
+
+TEST_CASE("Only the same case goes on; what differs is named with its place, and nothing changes") {
+  const Workplace place;
+  place.write("start.csv", "id,x,y,z,r\n1,0,0,0.05,0.01\n2,0,0,0.08,0.01\n");
+  const std::string run = box + "--out r --set particles.file=" + (place.path() / "start.csv").string();
+  REQUIRE(place.gyrosim(run + " --until '5 ms'").code == 0);
+  const std::string checkpoint = read_text(place.path() / "r/checkpoint.h5"),
+                    results = read_text(place.path() / "r/results.h5");
+  const auto refused = [&](const std::string& change, const std::string& message) {
+    const Outcome outcome = place.gyrosim(run + " --resume --until '9 ms' " + change);
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, Contains(message) && Contains("checkpoint.h5"));
+    CHECK(read_text(place.path() / "r/results.h5") == results);
+  };
+  refused("--set numerics.precision=double", "numerics.precision is double");
+  refused("--set numerics.precision=double", "--set:2:1: ");
+  refused("--set case.seed=77", "case.seed is 77");
+  refused("--set 'gravity=[0, 0, -5]'", "gravity is [0, 0, -5.0]");
+  place.write("start.csv", "id,x,y,z,r\n1,0,0,0.05,0.01\n2,0,0,0.09,0.01\n");
+  refused("", "start.csv: has changed");
+  place.write("start.csv", "id,x,y,z,r\n1,0,0,0.05,0.01\n2,0,0,0.08,0.01\n");
+  std::ofstream(place.path() / "r/checkpoint.h5") << checkpoint.substr(0, checkpoint.size() / 2);
+  refused("", "r/checkpoint.h5: is damaged");
+  std::ofstream(place.path() / "r/checkpoint.h5") << checkpoint;
+  fs::rename(place.path() / "r/checkpoint.h5", place.path() / "r/away");
+  refused("", "r/checkpoint.h5: there is no such checkpoint");
+  fs::rename(place.path() / "r/away", place.path() / "r/checkpoint.h5");
+  CHECK(place.gyrosim(run + " --resume --until '9 ms'").code == 0);
+}
+
+TEST_CASE("A run that a guard stops keeps its last good state, and stops there again") {
+  const Workplace place;
+  // Two spheres meet after some windows, so fast that one would pass the other within a step.
+  place.write("two.csv", "id,x,y,z,r,vx,vy,vz\n1,0,0,0.05,0.01,0,0,0\n2,0.05,0,0.15,0.01,0,0,0\n");
+  const std::string run = box +
+                          "--out r --set 'time.duration=50 s' --set 'gravity=[0, 0, -2000]' --set particles.file=" +
+                          (place.path() / "two.csv").string();
+  const Outcome first = place.gyrosim(run);
+  INFO(first.err);
+  REQUIRE(first.code == 4);
+  REQUIRE(fs::exists(place.path() / "r/checkpoint.h5"));
+  const nlohmann::json summary = summary_of(place.path() / "r");
+  const auto results = all_results(place.path() / "r");
+  const Outcome again = place.gyrosim(run + " --resume");
+  CHECK(again.code == 4);
+  CHECK(summary_of(place.path() / "r")["reason"] == summary["reason"]);
+  CHECK(all_results(place.path() / "r") == results);
+}
+
+TEST_CASE("A full disk keeps the earlier checkpoint, exit code 5, and the run goes on once there is room") {
+  const Workplace place;
+  const std::string run = crush + "--out r --resume --until ";
+  REQUIRE(place.gyrosim(run + "'4 ms'").code == 0);
+  const std::string checkpoint = read_text(place.path() / "r/checkpoint.h5");
+  const std::size_t results = fs::file_size(place.path() / "r/results.h5");
+  REQUIRE(results + 60000 < checkpoint.size());
+  const Outcome full = place.gyrosim_with_file_limit(run + "'8 ms'", results + 50000);
+  INFO(full.err);
+  CHECK(full.code == 5);
+  CHECK_THAT(full.err, Contains("checkpoint.h5"));
+  CHECK(read_text(place.path() / "r/checkpoint.h5") == checkpoint);
+  CHECK(summary_of(place.path() / "r")["status"] == "failed");
+  REQUIRE(place.gyrosim(run + "'8 ms'").code == 0);
+  REQUIRE(place.gyrosim(crush + "--out whole --until '8 ms'").code == 0);
+  require_same_results(place.path() / "whole", place.path() / "r");
+}
+
+TEST_CASE("--resume of a run that was killed before its first checkpoint starts at the beginning") {
+  const Workplace place;
+  const std::string run = bounce + "--set 'output.checkpoints=1 h' --out r --resume";
+  for (double seconds = 0.2; !fs::exists(place.path() / "r/results.h5") && seconds < 60; seconds *= 2)
+    REQUIRE(place.gyrosim_with_signal(run + " --until '10 h'", "KILL", seconds).code == 137);
+  REQUIRE_FALSE(fs::exists(place.path() / "r/checkpoint.h5"));
+  const Outcome other = place.gyrosim(run + " --set case.seed=5");
+  CHECK(other.code == 2);
+  CHECK_THAT(other.err, Contains("case.seed is 5"));
+  const Outcome again = place.gyrosim(run);
+  CHECK(again.code == 0);
+  CHECK_THAT(again.err, Contains("holds no checkpoint yet"));
+  REQUIRE(place.gyrosim(bounce + "--out whole").code == 0);
+  require_same_results(place.path() / "whole", place.path() / "r");
+}
