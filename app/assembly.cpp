@@ -2,6 +2,7 @@
 #include "app/assembly.hpp"
 
 #include "app/bad_key.hpp"
+#include "app/start_check.hpp"
 #include "app/start_state.hpp"
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
@@ -152,6 +153,7 @@ Assembly assemble(const Case& input) {
     out.removal_depth = 2 * largest_rock(out.library);
   }
   out.start = blaming("particles", [&] { return start_state(input); });
+  blaming("particles", [&] { check_start(scene, out.start); });
   out.removal_depth = std::max(out.removal_depth, twice_largest(out.start));
   if (input.crusher && input.crusher->removal_depth) out.removal_depth = *input.crusher->removal_depth;
   out.step = choose_step(input, scene, out.library, out.start);

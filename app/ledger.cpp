@@ -23,28 +23,55 @@ double Ledger::residual_fraction() const {
   return work > 0 ? energy_.residual() / work : 0;
 }
 
+std::string Ledger::wall_name(Index wall) const {
+  const auto k = static_cast<std::size_t>(wall);
+  return "wall " + (k < walls_.size() ? walls_[k] : "number " + std::to_string(wall + 1));
+}
+
+/// Which limit of a single step was passed; empty if none.
+std::string Ledger::passed_limit() const {
+  const Extremes& x = extremes_;
+  const StepLimits& most = limits_.step;
+  std::ostringstream why;
+  why.precision(4);
+  if (!x.finite) {
+    why << "particle " << x.culprit << " has a place or velocity that is not finite";
+  } else if (x.overlap_ratio > most.overlap_ratio) {
+    why << "a contact of particle " << x.culprit << " with ";
+    if (x.wall == none)
+      why << "particle " << x.partner;
+    else
+      why << wall_name(x.wall);
+    why << " overlaps by " << x.overlap_ratio << " of the radius; at most " << most.overlap_ratio;
+  } else if (x.speed_ratio > most.speed_ratio) {
+    why << "particle " << x.fastest << " moves by " << x.speed_ratio << " of its radius in a step; at most "
+        << most.speed_ratio;
+  } else if (x.wall_step > most.speed_ratio) {
+    why << wall_name(x.fast_wall) << " moves by " << x.wall_step << " of the smallest radius in a step; at most "
+        << most.speed_ratio;
+  } else if (x.turn > most.turn) {
+    why << "particle " << x.spinner << " turns by " << x.turn << " rad in a step; at most " << most.turn;
+  } else if (x.bond_turn > most.bond_turn) {
+    why << "a bond of particle " << x.twisted << " is turned by " << x.bond_turn << " rad without failing; at most "
+        << most.bond_turn;
+  }
+  return why.str();
+}
+
 std::optional<std::string> Ledger::verdict(double time) const {
   std::ostringstream why;
   why.precision(4);
-  const auto id = extremes_.culprit;
-  if (!extremes_.finite) {
-    why << "particle " << id << " has a place or velocity that is not finite";
-  } else if (extremes_.overlap_ratio > limits_.overlap_ratio) {
-    why << "a contact of particle " << id << " overlaps by " << extremes_.overlap_ratio << " of the radius; at most "
-        << limits_.overlap_ratio;
-  } else if (extremes_.speed_ratio > limits_.speed_ratio) {
-    why << "a particle moves by " << extremes_.speed_ratio << " of its radius in a step; at most "
-        << limits_.speed_ratio;
-  } else if (extremes_.turn > limits_.turn) {
-    why << "a particle turns by " << extremes_.turn << " rad in a step; at most " << limits_.turn;
+  if (const std::string passed = passed_limit(); !passed.empty()) {
+    why << passed;
   } else {
     const double work = std::abs(energy_.wall_work) + gravity_turnover_;
     const bool little = work <= limits_.energy_floor * largest_state_ || work == 0;
+    const double scale = little ? largest_state_ : work;
     // A balance that is not a number must not pass for one that is small.
-    if (std::isfinite(energy_.residual()) && (little || std::abs(residual_fraction()) <= limits_.energy_fraction))
-      return {};
-    why << "the energy balance is off by " << energy_.residual() << " J, " << 100 * residual_fraction()
-        << " % of the work done; at most " << 100 * limits_.energy_fraction << " %";
+    if (std::abs(energy_.residual()) <= limits_.energy_fraction * scale) return {};
+    why << "the energy balance is off by " << energy_.residual() << " J, " << 100 * energy_.residual() / scale
+        << " % of the " << (little ? "largest energy seen" : "work done") << "; at most "
+        << 100 * limits_.energy_fraction << " %";
   }
   return "stopped at t = " + std::to_string(time) + " s: " + why.str();
 }

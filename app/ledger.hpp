@@ -6,17 +6,17 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace gyro {
 
 /// Limits beyond which a run stops instead of going on with numbers that look right.
 struct LedgerLimits {
-  /// overlap / radius. Hertz's law is long left at 0.3, where the log warns; near 1 a normal could flip.
-  double overlap_ratio = 0.8;
-  double speed_ratio = 0.2;       ///< v dt / R: a sphere could pass a sheet unseen
-  double turn = 0.1;              ///< spin x dt [rad]
-  double energy_fraction = 0.05;  ///< residual / work done, once the work is more than `energy_floor`
-  double energy_floor = 1e-3;     ///< share of the largest kinetic + elastic energy seen, as work [-]
+  /// Hertz's law is long left at an overlap of 0.3, where the log warns.
+  StepLimits step;
+  double energy_fraction = 0.05;  ///< residual / work done; of the largest energy seen while there is less work than
+  double energy_floor = 1e-3;     ///< this share of the largest kinetic + elastic energy seen [-]
 };
 
 /// Particles that came, went and are there.
@@ -28,7 +28,9 @@ struct MassCount {
 /// The running balance of a run: energy, particles, and what the guard looks at.
 class Ledger {
  public:
-  explicit Ledger(LedgerLimits limits = {}) : limits_(limits) {}
+  /// @param walls  names of the scene's walls, for messages
+  explicit Ledger(LedgerLimits limits = {}, std::vector<std::string> walls = {})
+      : limits_(limits), walls_(std::move(walls)) {}
 
   /// Takes up the state before the window's rock came and went, so that gravity's work is that of the
   /// DEM alone.
@@ -48,9 +50,13 @@ class Ledger {
   void restore(const SavedState& from);
 
  private:
+  std::string passed_limit() const;
   std::optional<std::string> verdict(double time) const;
 
+  std::string wall_name(Index wall) const;
+
   LedgerLimits limits_;
+  std::vector<std::string> walls_;
   EnergyTerms energy_;
   Extremes extremes_;
   double potential_before_ = 0, gravity_work_ = 0, gravity_turnover_ = 0, largest_state_ = 0, worst_overlap_ = 0;

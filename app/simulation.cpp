@@ -16,10 +16,19 @@ double rock_density(const Assembly& assembly) {
   return assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
 }
 
+std::vector<std::string> wall_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Wall& wall : scene.walls) names.push_back(wall.name);
+  return names;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem)
-    : input_(input), assembly_(assembly), dem_(std::move(dem)) {
+    : input_(input),
+      assembly_(assembly),
+      dem_(std::move(dem)),
+      ledger_({.step = assembly.scene.limits}, wall_names(assembly.scene)) {
   make_parts();
   blaming("particles", [&] { put_in(assembly.start); });
   for (const double mass : dem_->particles().mass) start_mass_ += mass;
@@ -29,7 +38,10 @@ Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_
 }
 
 Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem, const SavedState& saved)
-    : input_(input), assembly_(assembly), dem_(std::move(dem)) {
+    : input_(input),
+      assembly_(assembly),
+      dem_(std::move(dem)),
+      ledger_({.step = assembly.scene.limits}, wall_names(assembly.scene)) {
   make_parts();
   restore(saved);
 }

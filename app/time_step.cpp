@@ -3,6 +3,7 @@
 
 #include "app/bad_key.hpp"
 #include "core/dem/contact_laws.hpp"
+#include "core/walls/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -112,26 +113,62 @@ void check_hold(double held, double contact_limit, double step) {
   throw BadKey("numerics.substeps", message.str());
 }
 
+/// The step in which the fastest wall sweeps the allowed share of the smallest radius.
+Limit sweep_limit(const Scene& scene, double smallest_radius) {
+  Limit limit;
+  for (const Wall& wall : scene.walls) {
+    const double speed = sweep_speed(wall, extent_of(wall), pose_of(wall, 0, {}));
+    if (speed > 0) limit.consider(scene.limits.speed_ratio * smallest_radius / speed, "motion of wall " + wall.name);
+  }
+  return limit;
+}
+
+double smallest_radius(const RockLibrary& library, std::span<const NewRock> start) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const RockTemplate& rock : library.rocks)
+    for (const double r : rock.radii) smallest = std::min(smallest, r);
+  for (const NewRock& rock : start)
+    for (const NewParticle& p : rock.particles) smallest = std::min(smallest, p.radius);
+  return smallest;
+}
+
+[[noreturn]] void refuse_step(double wanted, const std::string& what, double most, const std::string& remedy) {
+  std::ostringstream message;
+  message << "time.step " << wanted << " s is above " << what << "; at most " << most << " s" << remedy
+          << ", or auto, is accepted";
+  throw BadKey("time.step", message.str());
+}
+
+void check_step(double wanted, const Limit& stable, double safety, const Limit& sweep) {
+  constexpr double rounding = 1 + 1e-9;
+  std::ostringstream what;
+  if (wanted > rounding * safety * stable.step) {
+    what << safety << " of the stability limit of " << stable.step << " s (" << stable.by << ")";
+    refuse_step(wanted, what.str(), safety * stable.step, " at this time.safety");
+  }
+  if (wanted > rounding * sweep.step) {
+    what << "the step in which no wall moves by more than 0.2 of the smallest radius (" << sweep.by << ")";
+    refuse_step(wanted, what.str(), sweep.step, "");
+  }
+}
+
 }  // namespace
 
 StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary& library,
                        std::span<const NewRock> start) {
   const Limits limits = stability_limits(scene, library, start);
-  const Limit& limit = limits.least;
+  const Limit& stable = limits.least;
+  const int hold = input.numerics.substeps;
+  Limit sweep = sweep_limit(scene, smallest_radius(library, start));
+  sweep.step /= hold;  // contacts are looked at once a hold
   StepChoice choice;
-  choice.limit = limit.step;
-  choice.limited_by = limit.by;
-  double wanted = std::min(input.time.safety * limit.step, input.coupling_interval);
+  choice.limit = std::min(stable.step, sweep.step);
+  choice.limited_by = stable.step <= sweep.step ? stable.by : sweep.by;
+  double wanted = std::min({input.time.safety * stable.step, sweep.step, input.coupling_interval});
   if (input.time.step) {
     wanted = *input.time.step;
-    if (wanted > limit.step) {
-      std::ostringstream message;
-      message << "time.step " << wanted << " s is above the stability limit of " << limit.step << " s (" << limit.by
-              << "); at most " << input.time.safety * limit.step << " s, or auto";
-      throw BadKey("time.step", message.str());
-    }
+    check_step(wanted, stable, input.time.safety, sweep);
   }
-  const int hold = input.numerics.substeps;
   choice.per_window = hold * static_cast<int>(std::ceil(input.coupling_interval / wanted / hold * (1 - 1e-9)));
   choice.dt = input.coupling_interval / choice.per_window;
   if (hold > 1) check_hold(hold * choice.dt, limits.contacts, choice.dt);

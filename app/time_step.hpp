@@ -15,7 +15,7 @@ namespace gyro {
 struct StepChoice {
   double dt = 0;           ///< [s]; a whole number of them is a coupling interval
   double limit = 0;        ///< stability limit of the damped step map, before the safety factor [s]
-  std::string limited_by;  ///< rock or particle that sets the limit
+  std::string limited_by;  ///< rock, particle or wall that sets the limit
   int per_window = 0;      ///< steps in a coupling interval
 };
 
@@ -30,8 +30,9 @@ BondParameters bond_parameters(const CaseBonds& bonds);
 RockTemplate as_template(const NewRock& rock, const std::string& name);
 
 /// Chooses the step: `safety` times the least limit of all rocks and of the smallest loose particle,
-/// made to divide the coupling interval; or the step that the case gives.
-/// @throws BadInput for a given step above its limit
+/// made to divide the coupling interval; or the step that the case gives. No wall whose motion the case gives may
+/// move by more than 0.2 of the smallest radius in a step; of walls that a drivetrain moves the ledger sees it.
+/// @throws BadKey for a given step above `safety` times its limit
 StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary& library,
                        std::span<const NewRock> start);
 

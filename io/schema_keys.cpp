@@ -24,9 +24,9 @@ const std::vector<Key> identity_keys = {
      .doc = "Simulated time."},
     {.path = "time.step", .type = quantity, .dimension = Dimension::time, .fallback = "auto", .range = positive, .words = "auto",
      .doc = "Time step. auto: safety x damped stability limit, rounded down so that it divides the coupling interval; "
-            "a number must lie below the limit."},
+            "a number must not lie above safety x limit."},
     {.path = "time.safety", .type = quantity, .fallback = "0.7", .range = {.low = 0, .high = 1, .low_open = true},
-     .doc = "Step / stability limit where the step is chosen by the program."},
+     .doc = "Largest step / damped stability limit. Nearer to 1 the bonds of breaking rock begin to explode."},
 };
 
 const std::vector<Key> material_keys = {

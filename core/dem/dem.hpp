@@ -95,13 +95,22 @@ struct EnergyTerms {
 template <>
 struct RowOf<EnergyTerms> : MadeOf<double> {};
 
-/// Extremes at the end of the last window, for the guard: what peaks inside it is not seen.
+/// Extremes for the guard: at the end of the last window and, if a step inside it passed one of the scene's
+/// limits, those of the first such step as well. What peaks inside a window below the limits is not seen.
 struct Extremes {
   bool finite = true;
   ParticleId culprit = 0;    ///< of the largest overlap, or the first that is not finite
+  ParticleId partner = 0;    ///< of the largest overlap, if it is with a particle
+  Index wall = none;         ///< of the largest overlap, if it is with a wall
   double overlap_ratio = 0;  ///< largest contact overlap / smaller radius [-]
   double speed_ratio = 0;    ///< largest v dt / R [-]
+  ParticleId fastest = 0;    ///< of the largest speed_ratio
   double turn = 0;           ///< largest spin x dt [rad]
+  ParticleId spinner = 0;    ///< of the largest turn
+  double bond_turn = 0;      ///< largest turn of a bond's ends, only where it passed its limit [rad]
+  ParticleId twisted = 0;    ///< one end of that bond
+  double wall_step = 0;      ///< way of a wall's fastest place in a step / smallest radius, 0 for planes [-]
+  Index fast_wall = none;    ///< of the largest wall_step
 };
 
 /// Counts of live things.

@@ -46,15 +46,46 @@ EnergyTerms DemSolver<Exec, Real>::energy() const {
 }
 
 template <class Exec, class Real>
-Extremes DemSolver<Exec, Real>::extremes() const {
+Extremes DemSolver<Exec, Real>::extremes_now(bool with_bonds) const {
   const ParticleSums sums = particle_sums();
   const ContactSums contacts = contact_sums();
+  const BondSums bonds = with_bonds ? bond_sums() : BondSums{};
   Extremes x;
   x.finite = sums.not_finite == 0;
   x.culprit = x.finite ? contacts.culprit : sums.culprit;
+  x.partner = contacts.partner;
+  x.wall = contacts.wall;
   x.overlap_ratio = contacts.overlap_ratio;
   x.speed_ratio = sums.overspeed;
+  x.fastest = sums.fastest;
   x.turn = sums.turn;
+  x.spinner = sums.spinner;
+  x.bond_turn = bonds.turn;
+  x.twisted = bonds.twisted;
+  return x;
+}
+
+/// The larger of both in every respect.
+inline Extremes worst_of(const Extremes& a, const Extremes& b) {
+  Extremes x = a;
+  const bool other_overlap = x.finite && (!b.finite || b.overlap_ratio > a.overlap_ratio);
+  if (other_overlap) x.culprit = b.culprit, x.partner = b.partner, x.wall = b.wall;
+  x.finite = a.finite && b.finite;
+  x.overlap_ratio = larger(a.overlap_ratio, b.overlap_ratio);
+  if (b.speed_ratio > a.speed_ratio) x.speed_ratio = b.speed_ratio, x.fastest = b.fastest;
+  if (b.turn > a.turn) x.turn = b.turn, x.spinner = b.spinner;
+  if (b.bond_turn > a.bond_turn) x.bond_turn = b.bond_turn, x.twisted = b.twisted;
+  return x;
+}
+
+template <class Exec, class Real>
+Extremes DemSolver<Exec, Real>::extremes() const {
+  Extremes x = extremes_now(false);
+  if (passed_) x = worst_of(x, *passed_);
+  if (smallest_radius_ > 0 && wall_step_ > 0) {
+    x.wall_step = wall_step_ / smallest_radius_;
+    x.fast_wall = fast_wall_;
+  }
   return x;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/errors.hpp"
 #include "core/dem/dem_solver.hpp"
+
+#include <string>
 
 // Neighbour lists. They only say who may touch: when they are rebuilt, and with which margin, changes
 // no bit of a result.
@@ -10,12 +13,14 @@ namespace gyro {
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::rebuild_lists() {
+  Grid grid = make_grid();
+  sort_into_cells(grid);
+  expect_no_crowd(grid);
+  const Index pair_count = count_pairs(grid);
   book_walls();
   std::swap(pairs_, old_pairs_);
   std::swap(walls_, old_walls_);
-  Grid grid = make_grid();
-  sort_into_cells(grid);
-  list_pairs(grid);
+  list_pairs(grid, pair_count);
   list_ends();
   const PairView<Real> pairs = pair_view(pairs_);
   exec_.for_each("carry memory", pairs.count, CarryMemory<Real>{pairs, pair_view(old_pairs_)});
@@ -44,25 +49,33 @@ struct ExtentOf {
   ParticleView p;
   GYRO_HD Extent operator()(Index n) const {
     const Sphere q = p.place[n];
-    return {q.radius, q.radius, q.x, q.x};
+    Extent e;
+    e.smallest = e.largest = q.radius;
+    if (norm2(q.x) < 1e300) e.low = e.high = q.x;  // what is nowhere must not shrink the table for all others
+    return e;
   }
 };
 
 template <class Exec, class Real>
 Grid DemSolver<Exec, Real>::make_grid() {
   const Extent extent = exec_.template reduce<Extent>("extent", particle_count(), ExtentOf{view()});
+  smallest_radius_ = particle_count() > 0 ? extent.smallest : 0;
   margin_ = scene_.neighbour_margin > 0 ? scene_.neighbour_margin : 0.8 * extent.smallest;
   Grid grid{};
   const Index most = 2 * particle_count() + 64;
-  for (double radius = extent.largest; grid.levels < Grid::most_levels && radius * 1.0000001 >= extent.smallest;
-       radius *= 0.5) {
-    GridLevel& g = grid.level[grid.levels++];
-    g = {radius, 2 * radius + margin_, 3, 3, 3, grid.cells};
+  for (double bound = extent.largest; grid.levels < Grid::most_levels && bound * 1.0000001 >= extent.smallest;
+       bound *= 0.5)
+    grid.level[grid.levels++].bound = bound;
+  const LevelRadii radii = exec_.template reduce<LevelRadii>("levels", particle_count(), LevelRadiiOf{view(), grid});
+  for (int l = 0; l < grid.levels; ++l) {
+    GridLevel& g = grid.level[l];
+    const double radius = radii.largest[l];
+    g = {g.bound, radius, 2 * radius + margin_, 3, 3, 3, grid.cells};
     const auto wanted = [&](double low, double high) { return (high - low) / g.cell + 2; };
     const double x = wanted(extent.low.x, extent.high.x), y = wanted(extent.low.y, extent.high.y),
                  z = wanted(extent.low.z, extent.high.z);
     const auto size = [&] { return std::int64_t{g.mask_x + 1} * (g.mask_y + 1) * (g.mask_z + 1); };
-    for (bool grown = true; grown && size() < most;) {
+    for (bool grown = radius > 0; grown && size() < most;) {
       grown = false;
       if (g.mask_x + 1 < x && size() < most) g.mask_x = 2 * g.mask_x + 1, grown = true;
       if (g.mask_y + 1 < y && size() < most) g.mask_y = 2 * g.mask_y + 1, grown = true;
@@ -86,22 +99,57 @@ void DemSolver<Exec, Real>::sort_into_cells(Grid& grid) {
   grid.sorted = cell_sorted_.data();
 }
 
+/// A search costs about 27 times the sum of the squares of the cells' particles. Rock fills a cell with some
+/// tens of its size; thousands on average only when particles lie in each other or the margin is absurd.
+/// @throws StoppedByGuard  rather than hang
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::list_pairs(const Grid& grid) {
+void DemSolver<Exec, Real>::expect_no_crowd(const Grid& grid) const {
+  constexpr double most_in_cell = 2000, little_work = 1e4;
+  const Crowd crowd = exec_.template reduce<Crowd>("crowd", grid.cells, CrowdOf{cell_begin_.data()});
+  if (crowd.squares <= most_in_cell * larger(static_cast<double>(particle_count()), little_work)) return;
+  const auto sorted = Exec::host(cell_sorted_);
+  const auto begin = Exec::host(cell_begin_);
+  const auto id = Exec::host(particles_.id);
+  const Index one = sorted[static_cast<std::size_t>(begin[static_cast<std::size_t>(crowd.cell)])];
+  throw StoppedByGuard(std::to_string(crowd.most) + " particles, particle " +
+                       std::to_string(id[static_cast<std::size_t>(one)]) +
+                       " among them, crowd in one cell of the neighbour search; at most some tens find room in it");
+}
+
+template <class Exec, class Real>
+FindPairs DemSolver<Exec, Real>::pair_finder(const Grid& grid) const {
+  return {view(),
+          grid,
+          blocks_.data(),
+          bonds_.state.data(),
+          bonds_.i.data(),
+          bonds_.j.data(),
+          {has_bonds() ? bond_row_begin_.data() : nullptr, bond_row_.data()},
+          margin_,
+          const_cast<Index*>(counts_.data()),
+          nullptr};
+}
+
+/// Number of pairs; leaves the first pair of each particle in counts_.
+/// @throws StoppedByGuard  for more than the lists can number
+template <class Exec, class Real>
+Index DemSolver<Exec, Real>::count_pairs(const Grid& grid) {
+  constexpr std::int64_t most = 1'000'000'000;  // each has two ends, which are numbered too
   const Index n = particle_count();
   counts_.resize(static_cast<std::size_t>(n) + 1);
-  FindPairs find{view(),
-                 grid,
-                 blocks_.data(),
-                 bonds_.state.data(),
-                 bonds_.i.data(),
-                 bonds_.j.data(),
-                 {has_bonds() ? bond_row_begin_.data() : nullptr, bond_row_.data()},
-                 margin_,
-                 counts_.data(),
-                 nullptr};
-  exec_.for_each("count pairs", n, find);
-  const auto total = static_cast<std::size_t>(exec_.exclusive_scan(n, counts_.data()));
+  exec_.for_each("count pairs", n, pair_finder(grid));
+  const auto total = exec_.template reduce<std::int64_t>("total pairs", n, PairTotal{counts_.data()});
+  if (total > most)
+    throw StoppedByGuard(std::to_string(total) + " pairs of particles are near each other; at most " +
+                         std::to_string(most) + " can be listed");
+  return exec_.exclusive_scan(n, counts_.data());
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::list_pairs(const Grid& grid, Index count) {
+  const Index n = particle_count();
+  const auto total = static_cast<std::size_t>(count);
+  FindPairs find = pair_finder(grid);
   pairs_.pairs.resize(total);
   pairs_.memory.resize(total);
   pairs_.result.resize(total);

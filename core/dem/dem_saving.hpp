@@ -135,7 +135,7 @@ void DemSolver<Exec, Real>::restore(const SavedState& s) {
   Exec::upload(blocks_, s.get<Block>("blocks/block"));
   Exec::upload(colour_begin_, s.get<Index>("blocks/colour_begin"));
   if (has_bonds()) index_bonds();
-  Exec::upload(flags_, Host<std::int32_t>(3, 0));
+  Exec::upload(flags_, Host<std::int32_t>(flag_count, 0));
   restore_pairs(s);
   restore_walls(s);
   booked_ = s.get_one<EnergyTerms>("dem/booked");

@@ -73,14 +73,18 @@ class DemSolver final : public Dem {
   template <bool held>
   void launch_contacts(double ahead, double later);
   void gather(bool fresh, bool kick);
-  bool lists_stale() const;
+  bool lists_stale(const Host<std::int32_t>& flags) const;
+  void note_passed();
   void close_window(const Window& window);
 
   // dem_lists.hpp
   void rebuild_lists();
   Grid make_grid();
   void sort_into_cells(Grid& grid);
-  void list_pairs(const Grid& grid);
+  void expect_no_crowd(const Grid& grid) const;
+  FindPairs pair_finder(const Grid& grid) const;
+  Index count_pairs(const Grid& grid);
+  void list_pairs(const Grid& grid, Index count);
   void list_ends();
   void list_walls();
   void book_walls();
@@ -124,6 +128,7 @@ class DemSolver final : public Dem {
   ParticleSums particle_sums() const;
   ContactSums contact_sums() const;
   BondSums bond_sums() const;
+  Extremes extremes_now(bool with_bonds) const;
   void drain_breakages(const Window& window);
   std::vector<Index> places_by_id() const;
   GluedBonds glued_bonds() const;
@@ -159,7 +164,8 @@ class DemSolver final : public Dem {
   Buffer<Index> bond_row_begin_, bond_row_;
   Buffer<Load> held_;  ///< contact and wall forces of the present hold; empty when a hold is one step
   Buffer<BreakEvent> events_;
-  Buffer<std::int32_t> flags_;  ///< stale, relist, number of events
+  static constexpr std::size_t flag_count = 4;
+  Buffer<std::int32_t> flags_;  ///< stale, relist, number of events, a limit passed
 
   PairLists pairs_, old_pairs_;
   WallLists walls_, old_walls_;
@@ -175,7 +181,11 @@ class DemSolver final : public Dem {
 
   std::vector<WallSum> wall_sums_;  ///< of the window so far, one a wall; between windows what is left of the last step
   std::vector<WallLoad> wall_loads_;
-  EnergyTerms booked_;  ///< of what has left, and what events and walls added
+  std::optional<Extremes> passed_;  ///< of the first step of the window that passed a limit
+  double wall_step_ = 0;            ///< largest way of a wall in a step of the window [m]
+  Index fast_wall_ = none;
+  double smallest_radius_ = 0;  ///< of the particles when lists were built [m]
+  EnergyTerms booked_;          ///< of what has left, and what events and walls added
   Counts counts_total_;
   std::vector<Breakage> breakages_;
 };

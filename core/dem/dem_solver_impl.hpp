@@ -22,7 +22,7 @@ DemSolver<Exec, Real>::DemSolver(Scene scene, Exec exec)
     poses_now_.push_back(pose_of(wall, 0, {}));
   }
   Exec::upload(wall_laws_, laws);
-  Exec::upload(flags_, std::vector<std::int32_t>(3, 0));
+  Exec::upload(flags_, std::vector<std::int32_t>(flag_count, 0));
   wall_sums_.resize(scene_.walls.size());
   wall_loads_.resize(scene_.walls.size());
   resize_rows();

@@ -14,6 +14,7 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
     throw BadInput("a window of " + std::to_string(window.steps) + " steps is no whole number of holds of " +
                    std::to_string(scene_.hold) + " steps");
   place_walls(window, path);
+  passed_.reset();
   if (!primed_) prime();
   const Index walls = surfaces_.count();
   for (int k = 1; k <= window.steps; ++k) {
@@ -33,7 +34,11 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::step(std::int64_t number, bool fresh, bool closing) {
   move();
-  if (fresh && lists_stale()) rebuild_lists();
+  if (fresh) {
+    const Host<std::int32_t> flags = Exec::host(flags_);
+    if (flags[3] != 0 && !passed_) passed_ = extremes_now(true);
+    if (lists_stale(flags)) rebuild_lists();
+  }
   if (has_bonds()) bond_forces(number);
   if (fresh) contact_forces(ahead(), closing ? left_over() : 0);
   gather(fresh, true);
@@ -42,12 +47,14 @@ void DemSolver<Exec, Real>::step(std::int64_t number, bool fresh, bool closing) 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::move() {
   exec_.for_each("move", particle_count(),
-                 Move{view(), scene_.dt, ahead(), 0.25 * margin_ * margin_, flags_.data(), has_bonds()});
+                 Move{view(), scene_.dt, ahead(), 0.25 * margin_ * margin_, flags_.data(), has_bonds(), held_time(),
+                      scene_.limits, flags_.data() + 3});
 }
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::bond_forces(std::int64_t number) {
-  const BreakLog log{events_.data(), flags_.data() + 2, flags_.data() + 1, blocks_.data()};
+  const BreakLog log{events_.data(), flags_.data() + 2,       flags_.data() + 1,
+                     blocks_.data(), scene_.limits.bond_turn, flags_.data() + 3};
   exec_.for_each_block("bond forces", block_list(), BondForces<Real>{view(), bond_view(), bond_law(), log, number});
 }
 
@@ -62,9 +69,10 @@ void DemSolver<Exec, Real>::launch_contacts(double ahead, double later) {
   const PairView<Real> pairs = pair_view(pairs_);
   const WallView<Real> walls = wall_view(walls_);
   const std::int32_t* bond_state = has_bonds() ? bonds_.state.data() : nullptr;
-  exec_.for_each("pair forces", pairs.count, PairForces<Real, held>{view(), pairs, bond_state, rock_law_, ahead});
+  const DeepContacts deep{scene_.limits.overlap_ratio, flags_.data() + 3};
+  exec_.for_each("pair forces", pairs.count, PairForces<Real, held>{view(), pairs, bond_state, rock_law_, ahead, deep});
   exec_.for_each("wall forces", walls.count,
-                 WallForces<Real, held>{view(), walls, wall_laws_.data(), held_time(), ahead, later});
+                 WallForces<Real, held>{view(), walls, wall_laws_.data(), held_time(), ahead, later, deep});
 }
 
 template <class Exec, class Real>
@@ -106,6 +114,11 @@ void DemSolver<Exec, Real>::place_walls(const Window& window, const MantlePath& 
       host_table_[static_cast<std::size_t>(k) * count + w] = pose_after(k == 0 ? 0 : k + middle, w);
   end_poses_.resize(count);
   for (std::size_t w = 0; w < count; ++w) end_poses_[w] = pose_after(window.steps, w);
+  wall_step_ = 0;
+  for (std::size_t w = 0; w < count; ++w) {  // a motion's speed changes from window to window only
+    const double way = held_time() * sweep_speed(scene_.walls[w], surfaces_.extent(w), host_table_[w]);
+    if (way > wall_step_) wall_step_ = way, fast_wall_ = static_cast<Index>(w);
+  }
   Exec::upload(pose_table_, host_table_);
   poses_ = pose_table_.data();
   poses_now_.assign(host_table_.begin(), host_table_.begin() + static_cast<std::ptrdiff_t>(count));
@@ -113,8 +126,7 @@ void DemSolver<Exec, Real>::place_walls(const Window& window, const MantlePath& 
 
 /// Whether a particle or a wall has gone further than half the margin, or a rock has just cracked.
 template <class Exec, class Real>
-bool DemSolver<Exec, Real>::lists_stale() const {
-  const auto& flags = Exec::host(flags_);
+bool DemSolver<Exec, Real>::lists_stale(const Host<std::int32_t>& flags) const {
   if (!listed_ || flags[0] != 0 || flags[1] != 0) return true;
   for (std::size_t w = 0; w < poses_now_.size(); ++w) {
     const WallPose &a = poses_listed_[w], &b = poses_now_[w];
@@ -141,6 +153,17 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
   counts_total_.particle_steps += std::int64_t{particle_count()} * (window.steps / scene_.hold);
   counts_total_.bond_steps += counts_total_.bonds_intact * window.steps;
   drain_breakages(window);
+  note_passed();
+}
+
+/// Keeps what passed a limit in the last step, and lowers the flag.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::note_passed() {
+  Host<std::int32_t> flags = Exec::host(flags_);
+  if (flags[3] == 0) return;
+  if (!passed_) passed_ = extremes_now(true);
+  flags[3] = 0;
+  Exec::upload(flags_, std::move(flags));
 }
 
 }  // namespace gyro

@@ -100,6 +100,17 @@ struct BondParameters {
   double shear_modulus = 0;     ///< [Pa]
 };
 
+/// What no step may pass without being noted: beyond, the contacts' geometry or the bonds' law fails.
+///
+/// A sheet is passed unseen from a particle and a wall that each move by 0.2 R in a step only beyond an
+/// overlap of 0.8 R: from 0.2 R in front of it to as far behind it is 0.4 R.
+struct StepLimits {
+  double overlap_ratio = 0.8;  ///< overlap / smaller radius [-]
+  double speed_ratio = 0.2;    ///< v dt / R [-]
+  double turn = 0.1;           ///< spin x dt [rad]
+  double bond_turn = 0.5;      ///< 2 sin(theta/2), theta the turn of a bond's ends against each other [rad]
+};
+
 /// Everything about a DEM scene that does not change while it runs.
 struct Scene {
   std::vector<Material> materials;
@@ -113,6 +124,7 @@ struct Scene {
   double largest_radius = 0;    ///< of any particle that will ever be fed [m]
   double neighbour_margin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
   bool rolling = false;         ///< any pair has rolling friction
+  StepLimits limits;
 };
 
 }  // namespace gyro

@@ -45,8 +45,8 @@ void Bed::add(const Vec3d& centre, double radius) {
   for (std::size_t k = 0; k < spheres_.size(); ++k) hang(static_cast<Index>(k));
 }
 
-double Bed::raised(const Vec3d& centre, double radius, double gap) const {
-  // Large spheres first: they are quickly asked for and raise most.
+template <class Visit>
+void Bed::visit_near(const Vec3d& centre, double radius, double gap, const Visit& visit) const {
   for (auto entry = levels_.rbegin(); entry != levels_.rend(); ++entry) {
     const auto& [number, level] = *entry;
     const double reach = radius + level.largest + gap;
@@ -58,18 +58,35 @@ double Bed::raised(const Vec3d& centre, double radius, double gap) const {
           for (Index k = first_[bucket(number, {x, y, z})]; k != none;) {
             const Sphere& s = spheres_[static_cast<std::size_t>(k)];
             const double apart = radius + s.radius + gap;
-            const Vec3d d = centre - s.centre;
-            if (norm2(d) < apart * apart) {
-              const double above = std::sqrt(apart * apart - d.x * d.x - d.y * d.y);
-              return std::max(s.centre.z + above, std::nextafter(centre.z, centre.z + 1));
-            }
+            if (norm2(centre - s.centre) < apart * apart && visit(k, apart)) return;
             k = s.next;
           }
         }
       }
     }
   }
-  return centre.z;
+}
+
+double Bed::raised(const Vec3d& centre, double radius, double gap) const {
+  double height = centre.z;
+  visit_near(centre, radius, gap, [&](Index k, double apart) {
+    const Vec3d d = centre - spheres_[static_cast<std::size_t>(k)].centre;
+    const double above = std::sqrt(apart * apart - d.x * d.x - d.y * d.y);
+    height = std::max(spheres_[static_cast<std::size_t>(k)].centre.z + above, std::nextafter(centre.z, centre.z + 1));
+    return true;
+  });
+  return height;
+}
+
+std::vector<Index> Bed::overlapped(const Vec3d& centre, double radius) const {
+  std::vector<Index> found;  // buckets may be shared by cells, so that a sphere may come twice
+  visit_near(centre, radius, 0, [&](Index k, double) {
+    found.push_back(k);
+    return false;
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 }  // namespace gyro

@@ -22,6 +22,9 @@ class Bed {
   /// @param gap  least distance between the surfaces [m]
   double raised(const Vec3d& centre, double radius, double gap) const;
 
+  /// Numbers, counted in order of adding from 0, of the spheres that a sphere at this place overlaps.
+  std::vector<Index> overlapped(const Vec3d& centre, double radius) const;
+
  private:
   struct Sphere {
     Vec3d centre;
@@ -33,6 +36,10 @@ class Bed {
     double largest;  ///< radius so far [m]
   };
 
+  /// Calls visit(number, distance at which the surfaces are `gap` apart) for the spheres nearer than that, until
+  /// it returns true; large ones first.
+  template <class Visit>
+  void visit_near(const Vec3d& centre, double radius, double gap, const Visit& visit) const;
   std::size_t bucket(int level, const Vec3<Index>& cell) const;
   void hang(Index sphere);
 

@@ -20,6 +20,7 @@ struct ParticleSums {
   LostWork lost;
   double overspeed = 0;  ///< largest v dt / R
   double turn = 0;       ///< largest w dt
+  ParticleId fastest = 0, spinner = 0;
   std::int64_t not_finite = 0;
   ParticleId culprit = 0;  ///< lowest id that is not finite
 
@@ -31,7 +32,9 @@ struct ParticleSums {
     s.lost = {a.lost.bond_damping + b.lost.bond_damping, a.lost.bond_slip + b.lost.bond_slip,
               a.lost.contact_damping + b.lost.contact_damping, a.lost.contact_slip + b.lost.contact_slip};
     s.overspeed = larger(a.overspeed, b.overspeed);
+    s.fastest = a.overspeed >= b.overspeed ? a.fastest : b.fastest;
     s.turn = larger(a.turn, b.turn);
+    s.spinner = a.turn >= b.turn ? a.spinner : b.spinner;
     s.not_finite = a.not_finite + b.not_finite;
     s.culprit = !b.not_finite || (a.not_finite && a.culprit < b.culprit) ? a.culprit : b.culprit;
     return s;
@@ -54,6 +57,7 @@ struct SumParticles {
     s.lost = p.losses[n];
     s.overspeed = norm(motion.v) * dt / place.radius;
     s.turn = norm(spin.w) * dt;
+    s.fastest = s.spinner = p.id[n];
     const double all = norm2(place.x) + norm2(motion.v) + norm2(spin.w);
     if (!(all < 1e300)) {
       s.not_finite = 1;
@@ -66,11 +70,13 @@ struct SumParticles {
 /// Elastic energy and the largest overlap of contacts.
 struct ContactSums {
   double elastic = 0, overlap_ratio = 0;
-  ParticleId culprit = 0;  ///< one of the two of the largest overlap
+  ParticleId culprit = 0, partner = 0;  ///< the two of the largest overlap
+  Index wall = none;                    ///< the second of them, if it is a wall
 
   GYRO_HD friend ContactSums operator+(const ContactSums& a, const ContactSums& b) {
-    const bool first = a.overlap_ratio >= b.overlap_ratio;
-    return ContactSums{a.elastic + b.elastic, first ? a.overlap_ratio : b.overlap_ratio, first ? a.culprit : b.culprit};
+    ContactSums s = a.overlap_ratio >= b.overlap_ratio ? a : b;
+    s.elastic = a.elastic + b.elastic;
+    return s;
   }
 };
 
@@ -102,7 +108,7 @@ struct SumContacts {
     const ContactMemory<Real> m = pairs.memory[n];
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
     return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.elastic)), ratio,
-            p.id[pair.i]};
+            p.id[pair.i], p.id[pair.j], none};
   }
   GYRO_HD ContactSums of_wall(Index n, const Sphere& place) const {
     const WallEntry entry = walls.entries[n];
@@ -114,26 +120,28 @@ struct SumContacts {
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
       s = s + ContactSums{weight * static_cast<double>(contact_energy(
                                        wall_laws[entry.wall], static_cast<Real>(place.radius), m.overlap, m.elastic)),
-                          static_cast<double>(m.overlap) / place.radius, p.id[entry.particle]};
+                          static_cast<double>(m.overlap) / place.radius, p.id[entry.particle], 0, entry.wall};
     }
     return s;
   }
 };
 
-/// Elastic energy and count of the bonds.
+/// Elastic energy and count of the bonds, and the largest turn of the ends of a glued one.
 struct BondSums {
   double elastic = 0;
   std::int64_t intact = 0;
+  double turn = 0;
+  ParticleId twisted = 0;
   GYRO_HD friend BondSums operator+(const BondSums& a, const BondSums& b) {
-    return {a.elastic + b.elastic, a.intact + b.intact};
+    return {a.elastic + b.elastic, a.intact + b.intact, larger(a.turn, b.turn),
+            a.turn >= b.turn ? a.twisted : b.twisted};
   }
 };
 
 /// Loads of one bond, outside a step.
 template <class Real>
-GYRO_HD BondLoad<Real> bond_load_now(const ParticleView& p, const BondView<Real>& b, const BondLaw<Real>& law,
-                                     Index n) {
-  const BondLanes<Real, OneLane> bond(OneLane{n}, p, b, 0);
+GYRO_HD BondLoad<Real> bond_load_now(const BondView<Real>& b, const BondLaw<Real>& law,
+                                     const BondLanes<Real, OneLane>& bond, Index n) {
   return b.state[n] == bond_glued ? bond_load(law, bond.section, bond.strain_r, bond.rates)
                                   : unglued_load(law, bond.section, bond.strain_r, bond.rates).load;
 }
@@ -146,7 +154,10 @@ struct SumBonds {
 
   GYRO_HD BondSums operator()(Index n) const {
     if (b.state[n] == bond_gone) return {};
-    return {static_cast<double>(bond_load_now(p, b, law, n).elastic), b.state[n] == bond_glued ? 1 : 0};
+    const BondLanes<Real, OneLane> bond(OneLane{n}, p, b, 0);
+    const double elastic = static_cast<double>(bond_load_now(b, law, bond, n).elastic);
+    if (b.state[n] != bond_glued) return {elastic, 0, 0, 0};
+    return {elastic, 1, ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
   }
 };
 
@@ -165,7 +176,7 @@ struct NoteBonds {
 
   GYRO_HD void operator()(Index n) const {
     if (b.state[n] != bond_glued) return;
-    const BondLoad<Real> load = bond_load_now(p, b, law, n);
+    const BondLoad<Real> load = bond_load_now(b, law, BondLanes<Real, OneLane>(OneLane{n}, p, b, 0), n);
     const Vec3d span = p.place[b.j[n]].x - p.place[b.i[n]].x;
     now[n] = {-dot(cast<double>(load.force), span) / norm(span),
               static_cast<double>(larger(load.tension_ratio, load.shear_ratio))};

@@ -15,6 +15,8 @@ struct BreakLog {
   std::int32_t* count;
   std::int32_t* relist;  ///< set to 1 when the first bond of a block fails: its particles may now touch
   Block* blocks;
+  double turn_limit;     ///< of the ends of a glued bond against each other [rad]
+  std::int32_t* passed;  ///< set to 1 by any bond beyond it
 };
 
 /// Strain, rates and section of the bonds of some lanes; the only place that knows how they lie in
@@ -88,6 +90,8 @@ struct BondForces {
     const auto glued = lanes.template equal<Real>(state, bond_glued);
     const auto broken = glued & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
     if (lanes.any(broken)) note_failures(lanes, block, bond, load, broken, constants);
+    const R turn2 = bond.strain_r.twist * bond.strain_r.twist + norm2(bond.strain_r.bend);
+    if (lanes.any(glued & (turn2 > R(log.turn_limit * log.turn_limit)))) raise_flag(log.passed);
     if (lanes.any_below_and_not(state, bond_gone, bond_glued)) {
       const auto unglued = unglued_load(constants, bond.section, bond.strain_r, bond.rates);
       take(load, glued, unglued.load);

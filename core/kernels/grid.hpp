@@ -5,12 +5,13 @@
 
 namespace gyro {
 
-/// One level of the search grid: cells for the spheres whose radius lies between half `radius` and
-/// `radius`. The table of cells is a torus: a cell's place is its coordinate modulo a power of two, so
+/// One level of the search grid: cells for the spheres whose radius lies between half `bound` and
+/// `bound`. The table of cells is a torus: a cell's place is its coordinate modulo a power of two, so
 /// that one sphere a kilometre away neither makes the table large nor the search slow. Spheres that
 /// share a place without being neighbours are told apart by their distance.
 struct GridLevel {
-  double radius;                 ///< largest radius of the level [m]
+  double bound;                  ///< largest radius that belongs to the level [m]
+  double radius;                 ///< largest radius that is there, 0 if none [m]
   double cell;                   ///< edge of a cell, at least 2 radius + margin [m]
   Index mask_x, mask_y, mask_z;  ///< cells in each direction - 1; at least 3, so that neighbours differ
   Index first_cell;              ///< of the level in the table
@@ -31,7 +32,7 @@ struct Grid {
 
   GYRO_HD int level_of(double radius) const {
     int l = 0;
-    while (l + 1 < levels && radius <= level[l + 1].radius) ++l;
+    while (l + 1 < levels && radius <= level[l + 1].bound) ++l;
     return l;
   }
   GYRO_HD static CellCoordinate coordinate(const GridLevel& g, const Vec3d& x) {
@@ -58,6 +59,44 @@ struct CellKeys {
     const CellCoordinate c = Grid::coordinate(g, place.x);
     keys[n] = static_cast<std::uint64_t>(Grid::place(g, c.x, c.y, c.z));
     values[n] = n;
+  }
+};
+
+/// Largest radius in each level.
+struct LevelRadii {
+  double largest[Grid::most_levels] = {};
+  GYRO_HD friend LevelRadii operator+(const LevelRadii& a, const LevelRadii& b) {
+    LevelRadii r;
+    for (int l = 0; l < Grid::most_levels; ++l)
+      r.largest[l] = a.largest[l] > b.largest[l] ? a.largest[l] : b.largest[l];
+    return r;
+  }
+};
+struct LevelRadiiOf {
+  ParticleView p;
+  Grid grid;
+  GYRO_HD LevelRadii operator()(Index n) const {
+    const double radius = p.place[n].radius;
+    LevelRadii r;
+    r.largest[grid.level_of(radius)] = radius;
+    return r;
+  }
+};
+
+/// How particles crowd in cells: what a search would cost.
+struct Crowd {
+  double squares = 0;  ///< sum over cells of the square of their particles
+  Index most = 0;      ///< particles in the fullest cell
+  Index cell = 0;      ///< the fullest cell
+  GYRO_HD friend Crowd operator+(const Crowd& a, const Crowd& b) {
+    return {a.squares + b.squares, a.most >= b.most ? a.most : b.most, a.most >= b.most ? a.cell : b.cell};
+  }
+};
+struct CrowdOf {
+  const Index* cell_begin;
+  GYRO_HD Crowd operator()(Index c) const {
+    const Index count = cell_begin[c + 1] - cell_begin[c];
+    return {static_cast<double>(count) * count, count, c};
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/shared_counter.hpp"
+#include "core/dem/scene.hpp"
 #include "core/state/particles.hpp"
 
 namespace gyro {
@@ -16,6 +17,9 @@ struct Move {
   double allowed2;      ///< square of the way a particle may go before lists are stale [m2]
   std::int32_t* stale;  ///< set to 1 by any particle that went further
   bool with_turn;
+  double look;  ///< time from one look at contacts to the next [s]
+  StepLimits limits;
+  std::int32_t* passed;  ///< set to 1 by any particle beyond them
 
   GYRO_HD void operator()(Index n) const {
     Sphere place = p.place[n];
@@ -32,6 +36,9 @@ struct Move {
     p.spin[n] = spin;
     p.place[n] = place;
     if (norm2(place.x + ahead * motion.v - p.listed_at[n]) > allowed2) raise_flag(stale);
+    const double way = limits.speed_ratio * place.radius;
+    if (look * look * norm2(motion.v) > way * way || look * look * norm2(spin.w) > limits.turn * limits.turn)
+      raise_flag(passed);
   }
 };
 

@@ -33,11 +33,16 @@ struct FindPairs {
     Index found = 0;
     for (int l = 0; l <= own; ++l) {
       const GridLevel& g = grid.level[l];
-      const CellCoordinate c = Grid::coordinate(g, place.x);
-      for (int dz = -1; dz <= 1; ++dz)
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dx = -1; dx <= 1; ++dx) {
-            const Index cell = Grid::place(g, c.x + dx, c.y + dy, c.z + dz);
+      if (g.radius == 0) continue;
+      // At most three cells in each direction: the reach is no larger than a cell.
+      const double reach = place.radius + g.radius + margin;
+      const Vec3d corner{reach, reach, reach};
+      const CellCoordinate low = Grid::coordinate(g, place.x - corner), high = Grid::coordinate(g, place.x + corner);
+      const int nx = span(low.x, high.x), ny = span(low.y, high.y), nz = span(low.z, high.z);
+      for (int z = 0; z <= nz; ++z)
+        for (int y = 0; y <= ny; ++y)
+          for (int x = 0; x <= nx; ++x) {
+            const Index cell = Grid::place(g, low.x + x, low.y + y, low.z + z);
             for (Index s = grid.cell_begin[cell]; s < grid.cell_begin[cell + 1]; ++s)
               look_at(n, place, grid.sorted[s], l == own, found);
           }
@@ -46,6 +51,11 @@ struct FindPairs {
   }
 
  private:
+  /// Cells beyond the first one; 2 at most also for what is not finite.
+  GYRO_HD static int span(std::int64_t low, std::int64_t high) {
+    const std::int64_t more = high - low;
+    return more > 2 ? 2 : more < 0 ? 0 : static_cast<int>(more);
+  }
   GYRO_HD void look_at(Index n, const Sphere& place, Index other, bool same_level, Index& found) const {
     if (other == n || (same_level && p.id[other] < p.id[n])) return;
     const Sphere partner = p.place[other];
@@ -72,6 +82,12 @@ struct FindPairs {
     }
     return none;
   }
+};
+
+/// Number of pairs in more bits than the lists have.
+struct PairTotal {
+  const Index* counts;
+  GYRO_HD std::int64_t operator()(Index n) const { return counts[n]; }
 };
 
 /// Counts or enters the two ends of each pair in the rows of its particles.

@@ -16,6 +16,7 @@ struct PairForces {
   const std::int32_t* bond_state;  ///< null without bonds
   ContactLaw<Real> law;
   double ahead;  ///< as in seen() [s]
+  DeepContacts deep;
 
   GYRO_HD void operator()(Index n) const {
     const Pair pair = pairs.pairs[n];
@@ -41,6 +42,7 @@ struct PairForces {
     const Motion va = p.motion[pair.i], vb = p.motion[pair.j];
     const Spin wa = p.spin[pair.i], wb = p.spin[pair.j];
     const double overlap = a.radius + b.radius - distance;
+    deep.look_at(overlap, smaller(a.radius, b.radius));
     const double arm_a = a.radius - 0.5 * overlap, arm_b = b.radius - 0.5 * overlap;
     const Vec3d normal = (1 / distance) * span;
 

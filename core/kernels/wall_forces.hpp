@@ -57,6 +57,7 @@ struct WallForces {
   double dt;                     ///< time for which the forces act [s]
   double ahead;                  ///< as in seen() [s]
   double later;                  ///< share of that time beyond the window's end; 0 but for its last hold
+  DeepContacts deep;
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = walls.entries[n];
@@ -90,6 +91,7 @@ struct WallForces {
       const WallTouch& touch = touches.touch[k];
       const Vec3d outward = rotate(pose.turn, touch.normal);
       const double overlap = -touch.gap, arm = place.radius - overlap;
+      deep.look_at(overlap, place.radius);
       const Vec3d point = place.x - arm * outward;
       const Vec3d wall_velocity = velocity_at(pose, point);
 

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/shared_counter.hpp"
 #include "core/laws/hertz_mindlin.hpp"
 
 namespace gyro {
+
+/// Notes contacts that are pressed in too deep.
+struct DeepContacts {
+  double limit;          ///< overlap / radius [-]
+  std::int32_t* passed;  ///< set to 1 by any contact beyond it
+
+  GYRO_HD void look_at(double overlap, double radius) const {
+    if (overlap > limit * radius) raise_flag(passed);
+  }
+};
 
 /// Two particles near each other. The one with the lower id is i, so that a pair is evaluated the
 /// same way whatever the order of the arrays.

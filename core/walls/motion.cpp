@@ -3,6 +3,8 @@
 
 #include "core/base/errors.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace gyro {
@@ -106,6 +108,25 @@ WallPose gyration_pose(const GyrationMotion& motion, const MantleState& mantle) 
 
 WallPose pose_of(const Wall& wall, double time, const MantleState& mantle) {
   return std::visit([&](const auto& motion) { return pose(motion, time, mantle); }, wall.motion);
+}
+
+double sweep_speed(const Wall& wall, double extent, const WallPose& pose) {
+  if (std::holds_alternative<PlaneShape>(wall.shape)) return 0;
+  Vec3d spin = pose.spin;
+  if (std::holds_alternative<ProfileShape>(wall.shape)) {
+    const Vec3d axis = rotate(pose.turn, up);
+    spin = spin - dot(spin, axis) * axis;
+  }
+  return norm(pose.velocity) + norm(spin) * extent;
+}
+
+double extent_of(const Wall& wall) {
+  double extent2 = 0;
+  if (const auto* profile = std::get_if<ProfileShape>(&wall.shape))
+    for (const ProfilePoint& p : profile->points) extent2 = std::max(extent2, p.r * p.r + p.z * p.z);
+  if (const auto* mesh = std::get_if<MeshShape>(&wall.shape))
+    for (const Vec3d& v : mesh->vertices) extent2 = std::max(extent2, norm2(v));
+  return std::sqrt(extent2);
 }
 
 void check_motion(const Wall& wall) {

@@ -40,6 +40,13 @@ WallPose gyration_pose(const GyrationMotion& motion, const MantleState& mantle);
 /// @param mantle  the eccentric at that time; only GyrationMotion looks at it
 WallPose pose_of(const Wall& wall, double time, const MantleState& mantle);
 
+/// Upper bound on the speed at which a wall's surface sweeps through space [m/s]. A surface of revolution that
+/// spins about its own axis stays where it is. 0 for planes: behind them all is wall, so that none is passed unseen.
+/// @param extent  largest distance of the surface from the body's origin [m]
+double sweep_speed(const Wall& wall, double extent, const WallPose& pose);
+/// Largest distance of a wall's surface from the body's origin, 0 for a plane [m].
+double extent_of(const Wall& wall);
+
 /// Throws BadInput when a motion's numbers make no sense (axis not unit, radius negative, ...).
 void check_motion(const Wall& wall);
 

@@ -3,6 +3,7 @@
 #include "app/ledger.hpp"
 #include "tests/catch.hpp"
 
+#include <cmath>
 #include <limits>
 
 using namespace gyro;
@@ -11,7 +12,7 @@ namespace {
 
 /// A window in which gravity did 1 J of work, all of it now kinetic, and `missing` J are not accounted for.
 std::optional<std::string> verdict(double missing, Extremes extremes = {}) {
-  Ledger ledger;
+  Ledger ledger({}, {"floor", "belt"});
   EnergyTerms before, after;
   before.potential = before.exchanged = 1;
   ledger.open(before);
@@ -34,6 +35,21 @@ TEST_CASE("The guard stops a balance that does not close or is not a number") {
   CHECK(verdict(std::numeric_limits<double>::quiet_NaN()));
 }
 
+TEST_CASE("The guard sees a balance that does not close without any work") {
+  for (const double missing : {0.04, -0.04, 0.06, -0.9, 30.0}) {
+    Ledger ledger;
+    EnergyTerms before, after;
+    before.kinetic = before.exchanged = 1;
+    ledger.open(before);
+    after.exchanged = 1;
+    after.kinetic = 0.5;
+    after.contact_damping = 0.5 + missing;
+    INFO(missing);
+    REQUIRE_FALSE(ledger.close(0, before, {}));
+    CHECK(ledger.close(0.001, after, {}).has_value() == (std::abs(missing) > 0.05));
+  }
+}
+
 TEST_CASE("The guard names the particle and the limit") {
   Extremes deep;
   deep.culprit = 17;
@@ -47,8 +63,20 @@ TEST_CASE("The guard names the particle and the limit") {
   CHECK(verdict(0, lost)->find("not finite") != std::string::npos);
   Extremes fast;
   fast.speed_ratio = 0.3;
-  CHECK(verdict(0, fast));
+  fast.fastest = 18;
+  CHECK(verdict(0, fast)->find("particle 18 moves by 0.3") != std::string::npos);
   Extremes spinning;
   spinning.turn = 0.2;
-  CHECK(verdict(0, spinning));
+  spinning.spinner = 19;
+  CHECK(verdict(0, spinning)->find("particle 19 turns by 0.2") != std::string::npos);
+  Extremes twisted;
+  twisted.bond_turn = 0.6;
+  twisted.twisted = 20;
+  CHECK(verdict(0, twisted)->find("bond of particle 20") != std::string::npos);
+  Extremes swept;
+  swept.wall_step = 0.3;
+  swept.fast_wall = 1;
+  CHECK(verdict(0, swept)->find("wall belt moves by 0.3") != std::string::npos);
+  deep.wall = 0;
+  CHECK(verdict(0, deep)->find("with wall floor") != std::string::npos);
 }

@@ -24,7 +24,9 @@ inline bool same_breakages(const std::vector<Breakage>& a, const std::vector<Bre
 inline bool same_extremes(const std::vector<Extremes>& a, const std::vector<Extremes>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Extremes& x, const Extremes& y) {
     return x.finite == y.finite && x.culprit == y.culprit && x.overlap_ratio == y.overlap_ratio &&
-           x.speed_ratio == y.speed_ratio && x.turn == y.turn;
+           x.speed_ratio == y.speed_ratio && x.turn == y.turn && x.partner == y.partner && x.wall == y.wall &&
+           x.fastest == y.fastest && x.spinner == y.spinner && x.bond_turn == y.bond_turn && x.twisted == y.twisted &&
+           x.wall_step == y.wall_step && x.fast_wall == y.fast_wall;
   });
 }
 

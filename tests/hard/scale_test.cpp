@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hard cases of scale and memory: crowds, outliers, sizes of 1:60, and what is not finite among many.
+#include "core/base/errors.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/dem/scenes.hpp"
+
+#include <chrono>
+#include <limits>
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What a step of a scene of loose spheres throws; empty if it does not.
+std::string refusal(const std::vector<NewRock>& spheres) {
+  const Scene scene = plain_scene(1e-7);
+  const auto dem = make_cpu_dem(scene, Loads::single, 2);
+  dem->insert(spheres);
+  std::int64_t step = 0;
+  try {
+    run(*dem, scene.dt, step, 1);
+  } catch (const StoppedByGuard& stop) {
+    CHECK(dem->particles().size() == spheres.size());  // the state can still be looked at
+    CHECK(dem->extremes().finite);
+    return stop.what();
+  }
+  return {};
+}
+
+/// Seconds of a rebuild of the lists for each listed pair, in a cubic packing of spheres with a radius from `small` to
+/// `large`, each size class filling the same share of the space.
+double seconds_per_pair(double small, double large, std::size_t count, double& pairs) {
+  Scene scene = plain_scene(1e-9);
+  scene.neighbour_margin = 1e-4;
+  std::vector<NewRock> spheres;
+  // Shelves of cubic lattices, one a size class, side by side: neighbours of one class and of the next.
+  const int classes = large > small ? 4 : 1;
+  double shelf = 0;
+  ParticleId id = 0;
+  for (int c = 0; c < classes; ++c) {
+    const double r = small * std::pow(large / small, classes > 1 ? static_cast<double>(c) / (classes - 1) : 0);
+    const double share = static_cast<double>(count) / std::pow(4.0, c);
+    const int n = std::max(2, static_cast<int>(std::cbrt(share)));
+    for (int k = 0; k < n * n * n; ++k) {
+      const Vec3d at{k % n + 0.5, (k / n) % n + 0.5, k / (n * n) + 0.5};
+      spheres.push_back(sphere(id++, Vec3d{shelf, 0, 0} + 2 * r * at, {0, 0, 0}, r, 2600));
+    }
+    shelf += 2 * r * n;
+  }
+  const auto dem = make_cpu_dem(scene, Loads::single, 1);
+  double best = 1e300;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    if (repeat == 0) dem->insert(spheres);
+    if (repeat > 0) dem->insert({});  // makes the lists stale
+    const auto seconds = [&] {
+      double sum = 0;
+      for (const auto& [phase, s] : dem->phase_seconds())
+        if (phase == "count pairs" || phase == "find pairs") sum += s;
+      return sum;
+    };
+    const double before = seconds();
+    dem->advance({repeat, 1, scene.dt}, {});
+    best = std::min(best, seconds() - before);
+  }
+  // Pairs of touching lattice neighbours: 3 n2 (n - 1) a shelf, and what touches across shelves, which is less.
+  pairs = 0;
+  for (int c = 0; c < classes; ++c) {
+    const int n = std::max(2, static_cast<int>(std::cbrt(static_cast<double>(count) / std::pow(4.0, c))));
+    pairs += 3.0 * n * n * (n - 1);
+  }
+  return best / pairs;
+}
+
+}  // namespace
+
+TEST_CASE("H27 a million spheres at one point end in a word, not in a hang", "[hard]") {
+  const int count = GENERATE(20'000, 1'000'000);
+  std::vector<NewRock> spheres;
+  for (int k = 0; k < count; ++k)
+    spheres.push_back(sphere(static_cast<ParticleId>(k), {1, 2, 3}, {0, 0, 0}, 0.01, 2600));
+  const double begin = now();
+  const std::string why = refusal(spheres);
+  CHECK(why.find(std::to_string(count) + " particles") != std::string::npos);
+  CHECK(why.find("crowd in one cell") != std::string::npos);
+  CHECK(now() - begin < 30);
+}
+
+TEST_CASE("H27 three hundred thousand spheres in the space of one cell end in a word", "[hard]") {
+  std::vector<NewRock> spheres;
+  for (ParticleId k = 0; k < 300'000; ++k)
+    spheres.push_back(sphere(k, 0.01 * random_vector(k, 0), {0, 0, 0}, 0.01, 2600));
+  CHECK(refusal(spheres).find("crowd") != std::string::npos);
+}
+
+TEST_CASE("H27 outliers a kilometre away cost a bed neither time nor memory", "[hard]") {
+  const auto seconds = [](bool outliers) {
+    Scene scene = plain_scene(1e-7);
+    std::vector<NewRock> spheres = cloud(40, 40, 40, 0.0205, 0.01, 0.1);
+    if (outliers)
+      for (int k = 0; k < 8; ++k)
+        spheres.push_back(sphere(static_cast<ParticleId>(100'000 + k),
+                                 1000.0 * Vec3d{k % 2 ? 1.0 : -1.0, k / 2 % 2 ? 1.0 : -0.7, k / 4 ? 0.3 : -1.0},
+                                 {0, 0, 0}, k == 3 ? 0.3 : 0.01, 2600));
+    const auto dem = make_cpu_dem(scene, Loads::single, 1);
+    dem->insert(spheres);
+    double best = 1e300;
+    for (int repeat = 0; repeat < 5; ++repeat) {
+      dem->insert({});
+      const double begin = now();
+      dem->advance({repeat, 1, scene.dt}, {});
+      best = std::min(best, now() - begin);
+    }
+    return best;
+  };
+  const double alone = seconds(false), with = seconds(true);
+  INFO("rebuild and step " << alone << " s, with outliers " << with << " s");
+  CHECK(with < 3 * alone);
+}
+
+TEST_CASE("H27 H30 one sphere that is nowhere neither slows the search nor moves the others", "[hard]") {
+  const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200);
+  Scene scene = plain_scene(1e-6);
+  std::vector<NewRock> spheres = cloud(40, 40, 40, 0.0205, 0.01, 0.1);
+  const auto clean = make_cpu_dem(scene, Loads::single, 1);
+  clean->insert(spheres);
+  spheres.push_back(sphere(100'000, {0.1, bad, 0}, {0, 0, 0}, 0.01, 2600));
+  const auto dem = make_cpu_dem(scene, Loads::single, 1);
+  dem->insert(spheres);
+  std::int64_t step = 0, other = 0;
+  const double begin = now();
+  run(*clean, scene.dt, step, 50);
+  const double middle = now();
+  run(*dem, scene.dt, other, 50);
+  CHECK(now() - middle < 3 * (middle - begin) + 0.5);
+  CHECK_FALSE(dem->extremes().finite);
+  CHECK(dem->extremes().culprit == 100'000);
+  const ParticleSnapshot a = clean->particles(), b = dem->particles();
+  bool equal = true;
+  for (std::size_t k = 0; k < a.size(); ++k) equal = equal && same(a.position[k], b.position[k]);
+  CHECK(equal);
+}
+
+TEST_CASE("H28 the search costs as much a pair for sizes of 1:60 as for one size", "[hard]") {
+  double pairs_one = 0, pairs_mixed = 0;
+  const double one = seconds_per_pair(0.0042, 0.0042, 30'000, pairs_one),
+               mixed = seconds_per_pair(0.0042, 0.25, 30'000, pairs_mixed);
+  INFO("one size " << one * 1e9 << " ns for each of " << pairs_one << " pairs, 1:60 " << mixed * 1e9
+                   << " ns for each of " << pairs_mixed);
+  CHECK(mixed < 2 * one);
+}
+
+TEST_CASE("H29 lists that went stale are rebuilt by way, of spheres and of walls", "[hard]") {
+  // A bullet through a margin many times its own, and a plate that comes from far: margins change no bit.
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const auto outcome = [&](double margin) {
+    Scene scene = plain_scene(2e-6);
+    scene.neighbour_margin = margin;
+    scene.walls = {
+        {"plate", PlaneShape{{0, 0, -0.3}, {0, 0, 1}}, LinearMotion{{0, 0, 20}}, 1},
+        {"paddle", MeshShape{{{0.4, -1, -1}, {0.4, 1, -1}, {0.4, 1, 1}, {0.4, -1, 1}}, {{0, 1, 2}, {0, 2, 3}}},
+         RotationMotion{{0, 0, 1}, {0, 0, 0}, 40}, 1}};
+    std::vector<NewRock> spheres = cloud(8, 8, 8, 0.025, 0.0115, 0);
+    spheres.push_back(sphere(9000, {-0.5, 0.003, 0.004}, {100, 0, 0}, 0.01, 7000));
+    const auto dem = make_cpu_dem(scene, loads, 1);
+    dem->insert(spheres);
+    std::int64_t step = 0;
+    run(*dem, scene.dt, step, 8000, 8000);
+    return std::pair(dem->particles(), dem->counts().rebuilds);
+  };
+  const auto [near, often] = outcome(1e-3);
+  const auto [far, rarely] = outcome(0.05);
+  REQUIRE(often > 4 * rarely);
+  CHECK(same_bits(near, far));
+  double struck = 0;
+  for (const Vec3d& v : near.velocity) struck += norm(v) > 1;
+  CHECK(struck > 100);
+}

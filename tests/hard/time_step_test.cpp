@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hard cases of the time step: what the guard promises is what the engine does.
+#include "app/time_step.hpp"
+#include "app/ledger.hpp"
+#include "core/rocks/bonds.hpp"
+#include "core/rocks/fill.hpp"
+#include "core/rocks/stability.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/dem/scenes.hpp"
+
+#include <numbers>
+
+using namespace gyro;
+using namespace gyro::test;
+
+namespace {
+
+NewRock as_rock(const RockTemplate& shape) {
+  NewRock rock;
+  rock.id = 0;
+  for (std::size_t k = 0; k < shape.centres.size(); ++k)
+    rock.particles.push_back(
+        {static_cast<ParticleId>(k), shape.centres[k], {0, 0, 0}, {0, 0, 0}, shape.radii[k], shape.particle_density});
+  for (const TemplateBond& b : shape.bonds) rock.bonds.push_back({b.i, b.j, b.length, b.radius, 1.0});
+  rock.colour_begin = shape.colour_begin;
+  return rock;
+}
+
+RockTemplate bonded(std::vector<Vec3d> centres, std::vector<double> radii, const BondRule& rule) {
+  RockTemplate rock;
+  rock.centres = std::move(centres);
+  rock.radii = std::move(radii);
+  rock.particle_density = 2600;
+  rock.bonds = make_bonds(rock.centres, rock.radii, rule);
+  rock.colour_begin = colour_bonds(rock.bonds, static_cast<Index>(rock.centres.size()));
+  return rock;
+}
+
+/// A procedural rock of particles of 25 mm.
+RockTemplate mono_rock() {
+  const BondRule rule{0.05, AbsoluteBondRadius{0.005}};
+  const Filling f = fill_mono(Mould(procedural_shape(1, 0)), 6, rule, 42, 0);
+  const double scale = 0.0125 / f.radii[0];
+  std::vector<Vec3d> centres;
+  for (const Vec3d& c : f.centres) centres.push_back(scale * c);
+  return bonded(centres, std::vector<double>(centres.size(), 0.0125), rule);
+}
+
+/// One grain of 8 mm with bonds to twenty large ones round it.
+RockTemplate star() {
+  std::vector<Vec3d> centres{{0, 0, 0}};
+  std::vector<double> radii{0.004};
+  for (int k = 0; k < 20; ++k) {
+    const double z = 1 - (2 * k + 1) / 20.0, r = std::sqrt(1 - z * z), turn = 2.399963229728653 * k;
+    centres.push_back(0.024 * Vec3d{r * std::cos(turn), r * std::sin(turn), z});
+    radii.push_back(0.02);
+  }
+  RockTemplate rock = bonded(centres, radii, {0.05, AbsoluteBondRadius{0.005}});
+  std::erase_if(rock.bonds, [](const TemplateBond& b) { return b.i != 0; });
+  rock.colour_begin = colour_bonds(rock.bonds, 21);
+  return rock;
+}
+
+/// Grains of 4 to 22 mm radius, stacked greedily round a first one, bonds of 5 mm: thicker than the smallest grain.
+RockTemplate graded_rock() {
+  std::vector<Vec3d> centres;
+  std::vector<double> radii;
+  for (std::uint64_t k = 0; centres.size() < 300; ++k) {
+    const double radius = 0.004 * std::pow(5.5, 0.5 + 0.5 * random_number(k, 8));
+    const Vec3d direction = random_vector(k, 0);
+    if (norm2(direction) > 1 || norm2(direction) < 0.01) continue;
+    // In from afar along a ray until it touches the first one.
+    double reach = centres.empty() ? 0 : -1;
+    const Vec3d n = (1 / norm(direction)) * direction;
+    for (std::size_t j = 0; j < centres.size(); ++j) {
+      const double along = dot(centres[j], n), side2 = norm2(centres[j]) - along * along, sum = radius + radii[j];
+      if (side2 < sum * sum) reach = std::max(reach, along + std::sqrt(sum * sum - side2));
+    }
+    if (reach < 0) continue;
+    centres.push_back(reach * n);
+    radii.push_back(radius);
+  }
+  return bonded(centres, radii, {0.1, AbsoluteBondRadius{0.005}});
+}
+
+/// How far the energy of a hardly shaken rock grows in the engine, whose bonds hold whatever they bear.
+double growth(const RockTemplate& shape, double damping, double dt, Loads loads, int steps) {
+  Scene scene = plain_scene(dt);
+  scene.materials[0].shear_modulus = 1;  // what is not bonded may overlap
+  scene.bonds = paper_bonds();
+  scene.bonds->damping = damping;
+  scene.bonds->tensile_strength = scene.bonds->shear_strength = 1e30;
+  std::vector<NewRock> rocks{as_rock(shape)};
+  for (NewParticle& p : rocks[0].particles) {
+    p.velocity = 1e-3 * random_vector(p.id, 20);
+    p.spin = 0.1 * random_vector(p.id, 30);
+  }
+  const auto dem = make_cpu_dem(scene, loads, 1);
+  dem->insert(rocks);
+  const double begin = dem->energy().kinetic;
+  std::int64_t step = 0;
+  double energy = begin;
+  while (step < steps && std::isfinite(energy) && energy < 1e6 * begin) {
+    run(*dem, dt, step, 50);
+    const EnergyTerms e = dem->energy();
+    energy = e.kinetic + e.bond_elastic;
+  }
+  return std::isfinite(energy) ? energy / begin : 1e300;
+}
+
+BondParameters bonds_with(double damping) {
+  BondParameters bonds = paper_bonds();
+  bonds.damping = damping;
+  return bonds;
+}
+
+}  // namespace
+
+TEST_CASE("H1 H2 the engine is stable below the guard's limit and unstable above it, whatever the damping", "[hard]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const double damping = GENERATE(0.0, 0.05, 0.2, 0.5);
+  const RockTemplate rock = mono_rock();
+  const double limit = critical_step(rock, bonds_with(damping), {});
+  INFO(rock.centres.size() << " particles, damping " << damping << ": limit " << limit * 1e6 << " us");
+  for (const double factor : {0.9, 0.99}) CHECK(growth(rock, damping, factor * limit, loads, 4000) < 1.5);
+  for (const double factor : {1.01, 1.1, 2.0}) CHECK(growth(rock, damping, factor * limit, loads, 4000) > 1e6);
+}
+
+TEST_CASE("H2 damping lowers the limit to what was measured on another rock", "[hard]") {
+  // 25 mm grains, Rb 5 mm: 7.0-7.5, 5.5-6, 3-4 and 1-2 us at 0, 5, 20 and 50 % of damping.
+  const auto [damping, low, high] =
+      GENERATE(table<double, double, double>({{0.0, 6.8, 8.0}, {0.05, 5.3, 6.3}, {0.2, 3.0, 4.2}, {0.5, 1.0, 2.1}}));
+  const double limit = 1e6 * critical_step(mono_rock(), bonds_with(damping), {});
+  INFO(damping << ": " << limit << " us");
+  CHECK(limit > low);
+  CHECK(limit < high);
+}
+
+TEST_CASE("H3 H4 slivers and mixed grains set the limit, in the engine too", "[hard]") {
+  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const bool sliver = GENERATE(true, false);
+  const double damping = GENERATE(0.0, 0.2);
+  const RockTemplate rock = sliver ? star() : graded_rock();
+  const double limit = critical_step(rock, bonds_with(damping), {});
+  const double quick = gershgorin_step(rock, bonds_with(damping), {});
+  INFO((sliver ? "star" : "graded") << ", " << rock.bonds.size() << " bonds, damping " << damping << ": limit "
+                                    << limit * 1e6 << " us, Gershgorin " << quick * 1e6 << " us");
+  CHECK(limit < 3e-6);
+  CHECK(quick <= limit);
+  CHECK(growth(rock, damping, 0.98 * limit, loads, 2000) < 2);
+  CHECK(growth(rock, damping, 1.02 * limit, loads, 6000) > 1e6);
+}
+
+TEST_CASE("H1 the densest bed runs in balance at the step that the program chooses, or is stopped", "[hard]") {
+  // A close packing, twelve contacts each, twice what the choice of the step counts with, pressed in by 1 to 20 % of
+  // the radius. Beyond 1 % the damping of e = 0.2 overshoots: the guard tells.
+  const double overlap = GENERATE(0.01, 0.05, 0.1, 0.2), restitution = GENERATE(0.2, 0.9, 1.0);
+  const double radius = 0.01;
+  Scene scene = plain_scene(0);
+  scene.pairs.assign(4, {0.5, restitution, 0});
+  scene.dt = 0.7 * loose_critical_step(radius, 2600, bed_contacts(scene));
+  const int n = 4;
+  const double edge = std::sqrt(2.0) * radius * (2 - overlap);  // of the cube of a face-centred lattice
+  std::vector<NewRock> spheres;
+  for (int k = 0; k < 2 * n; ++k)
+    for (int j = 0; j < 2 * n; ++j)
+      for (int i = 0; i < 2 * n; ++i) {
+        if ((i + j + k) % 2 != 0) continue;
+        const auto id = static_cast<ParticleId>(spheres.size());
+        const Vec3d place = 0.5 * edge * Vec3d{i - n + 0.5, j - n + 0.5, k - n + 0.5};
+        spheres.push_back(sphere(id, place, 1e-3 * random_vector(id, 0), radius, 2600));
+      }
+  const double half = 0.5 * edge * (n - 0.5) + (1 - 0.5 * overlap) * radius;
+  scene.walls = box({half, half, half});
+  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
+  dem->insert(spheres);
+  Ledger ledger({.step = scene.limits});
+  std::optional<std::string> verdict;
+  double stored = 0, most = 0, worst = 0;
+  for (int k = 0; k < 20 && !verdict; ++k) {
+    ledger.open(dem->energy());
+    dem->advance({50 * k, 50, scene.dt}, {});
+    const EnergyTerms e = dem->energy();
+    stored = e.exchanged;
+    most = std::max(most, e.kinetic + e.contact_elastic);
+    worst = std::max(worst, std::abs(e.residual()));
+    verdict = ledger.close((k + 1) * 50 * scene.dt, e, dem->extremes());
+  }
+  INFO("overlap " << overlap << ", restitution " << restitution << ": most " << most / stored << ", residual "
+                  << worst / stored << " of what was stored; " << verdict.value_or("no word"));
+  if (verdict) {
+    CHECK(overlap >= 0.05);
+  } else {
+    CHECK(most < 1.02 * stored);
+    CHECK(worst < 0.05 * stored);
+  }
+}
