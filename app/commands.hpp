@@ -45,6 +45,13 @@ struct VerifyArguments {
   bool json = false;
 };
 
+struct BenchAccuracyArguments {
+  std::string scene, knob;                      ///< empty: all
+  std::optional<std::filesystem::path> folder;  ///< of scenes and reference; none: the source folder of this build
+  int threads = 1;                              ///< runs side by side, each on one thread
+  bool quick = false, make_reference = false, json = false;
+};
+
 /// Each command returns an exit code; bad input and failures come as exceptions of core/base/errors.hpp.
 int run_command(const RunArguments& arguments);
 int check_command(const CaseArguments& arguments);
@@ -52,6 +59,7 @@ int describe_command(const std::string& key, bool json_schema);
 int liners_command(const CaseArguments& arguments, const std::filesystem::path& out);
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int verify_command(const VerifyArguments& arguments);
+int bench_accuracy_command(const BenchAccuracyArguments& arguments);
 int init_command(const std::string& name);
 int info_command(bool json);
 

@@ -48,6 +48,16 @@ void add_run(CLI::App& command, RunArguments& a) {
   command.add_flag("--quiet", a.quiet, "no progress and no summary");
 }
 
+void add_bench_accuracy(CLI::App& command, BenchAccuracyArguments& a) {
+  command.add_option("--scene", a.scene, "platen, wedge or crusher; default all");
+  command.add_option("--knob", a.knob, "only the points of this knob");
+  command.add_option("--threads", a.threads, "runs side by side, each on one thread")->check(CLI::Range(1, 4096));
+  command.add_flag("--quick", a.quick, "few points and three seeds");
+  command.add_option("--folder", a.folder, "scenes and reference.json; default those of the source folder");
+  command.add_flag("--make-reference", a.make_reference, "make the references anew and write reference.json");
+  command.add_flag("--json", a.json, "one JSON document on standard output");
+}
+
 /// What is wrong with a command line, and what is accepted.
 std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> chosen = app->get_subcommands();
@@ -133,6 +143,13 @@ int main(int argc, char** argv) {
   c->add_flag("--nightly", verify.nightly, "the long cases as well");
   c->add_flag("--json", verify.json, "one JSON document on standard output");
   c->callback([&] { chosen = [&] { return verify_command(verify); }; });
+
+  BenchAccuracyArguments accuracy;
+  CLI::App* bench = app.add_subcommand("bench", "what speed and accuracy cost");
+  bench->require_subcommand(1);
+  c = bench->add_subcommand("accuracy", "work against error: cost and error of numerical choices on three scenes");
+  add_bench_accuracy(*c, accuracy);
+  c->callback([&] { chosen = [&] { return bench_accuracy_command(accuracy); }; });
 
   std::string name = "quickstart";
   c = app.add_subcommand("init", "print a commented case to start from");

@@ -24,7 +24,7 @@ COMMON = ["particles=null", "bonds.tensile_strength=1e15", "bonds.shear_strength
 # What is dropped, for how long it settles [s], and which sector is kept [degrees].
 SCENES = {
     "platen": {
-        "settle": 0.4,
+        "settle": 1.5,
         "set": ["rocks={shapes: {procedural: 1}, sizes: {passing: [[59 mm, 0], [61 mm, 1]]}, samples: 1, "
                 "fill: {ratio: 6}, density: material}",
                 "feed={rocks: 1, at: [0, 0, 45 mm]}", "walls.upper.motion=fixed", "walls.upper.plane.point=[0, 0, 1]"],
@@ -37,7 +37,7 @@ SCENES = {
     },
     "crusher": {
         "settle": 0.4,
-        "sector": (75, 215),
+        "sector": (84, 164),
         "set": ["rocks={shapes: {procedural: 6}, sizes: {passing: [[25 mm, 0], [40 mm, 1]]}, samples: 8, "
                 "fill: {ratio: 4}, density: material}",
                 "feed={initial: 1.8 kg, initial_top: 150 mm, above: concave}",

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/bench/scenes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace gyro::bench {
+
+/// One point of a work-precision curve: a scene's case with one numerical choice made differently.
+struct Setting {
+  std::string knob;
+  std::string value;                   ///< a number, or a word such as `double`
+  std::vector<std::string> overrides;  ///< of the case, as in --set
+  int hold = 1;        ///< numerics.substeps, set behind the case's check so that its limit can be judged as well
+  double margin = 0;   ///< of neighbour lists / smallest radius; 0: the program's choice
+  bool exact = false;  ///< must change no bit: compared with the default setting instead of the reference
+  bool to_first_break = false;  ///< the run ends with the window in which the first bond breaks
+};
+
+/// The overrides, with the hold as a case would ask for it.
+std::vector<std::string> as_overrides(const Setting& setting);
+
+/// All defaults.
+Setting default_setting();
+
+/// Everything that is tried on a scene, the default first. Physics (damping, moduli) is no knob.
+/// @param quick  two or three points
+std::vector<Setting> settings_of(const AccuracyScene& scene, bool quick);
+
+/// Double, a sixteenth of the default step, windows of 50 us.
+Setting reference_setting();
+/// The same at twice the step, up to the first break: it bounds the reference's own error on the way there.
+Setting coarse_reference_setting();
+
+}  // namespace gyro::bench

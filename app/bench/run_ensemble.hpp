@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/bench/member.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gyro::bench {
+
+/// The runs of one setting, by seed 1, 2, ...
+struct Ensemble {
+  std::vector<MemberResult> members;
+
+  /// Values of a metric by seed; not a number where a run was stopped or had nothing to measure.
+  std::vector<double> values(const std::string& metric) const;
+  double cpu_per_simulated_second() const;  ///< mean over members
+  int stopped() const;                      ///< members that the guard stopped
+  std::string first_reason() const;         ///< of a stopped member; empty without one
+};
+
+/// Runs seeds 1 to `seeds`, each on one thread, `threads` of them side by side.
+/// @throws BadInput for a case or a setting that is not accepted
+Ensemble run_ensemble(const Member& first, int seeds, int threads);
+
+}  // namespace gyro::bench

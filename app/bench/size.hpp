@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/dem.hpp"
+
+#include <span>
+
+namespace gyro::bench {
+
+/// Sizes of the fragments of a scene, each the diameter of the sphere of as much material.
+struct Sizes {
+  double mass = 0;  ///< of all [kg]
+  double mean = 0;  ///< weighted by mass [m]
+  double p80 = 0;   ///< that 80 % of the mass pass [m]
+};
+
+/// @param density  of the particles [kg/m3]
+Sizes sizes_of(const ParticleSnapshot& particles, double density);
+
+/// Size that a share of the mass passes: linear between the middles of the fragments' shares, so that it
+/// moves steadily when a fragment grows. Beyond the first and last middle it is the smallest, the largest size.
+/// @pre sizes and masses are equally long, not empty
+double passing_size(std::span<const double> sizes, std::span<const double> masses, double share);
+
+}  // namespace gyro::bench

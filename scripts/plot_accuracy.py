@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws work against error from `gyrosim bench accuracy --json`: one row a scene, one panel a metric.
+
+Usage: plot_accuracy.py BENCH.json [--out FILE.png]
+
+The grey band is the noise of the reference: a point inside it cannot be told from the reference. Bars are standard errors
+over the seeds. Errors of exactly 0 are drawn at the left edge as open marks. Needs python3-matplotlib.
+"""
+import argparse
+import json
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
+
+CURVES = {"step": "o-", "step_double": "s--", "precision": "D", "substeps": "^:", "substeps_within": "v:", "window": "x-."}
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description="Draws work against error.")
+    parser.add_argument("bench", type=Path, metavar="BENCH.json")
+    parser.add_argument("--out", type=Path, help="default: BENCH.png")
+    return parser.parse_args()
+
+
+def read(file):
+    """Points by scene and metric, in the order of the file; margins, which change nothing, are left out."""
+    try:
+        points = json.loads(file.read_text(encoding="utf-8"))["points"]
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"plot_accuracy.py: {file} cannot be read ({error}); what `gyrosim bench accuracy --json` prints is accepted")
+    panels = {}
+    for point in points:
+        if point.get("against", "reference") == "reference" and point["error"] is not None:
+            panels.setdefault(point["scene"], {}).setdefault(point["metric"], []).append(point)
+    return panels
+
+
+def left_edge(points):
+    """Smallest error that the axis shows."""
+    shown = [p["error"] for p in points if p["error"] > 0] + [p["noise"] for p in points if p["noise"]]
+    return min(shown) / 3 if shown else 1e-6
+
+
+def draw(axis, metric, points, edge):
+    for knob, style in CURVES.items():
+        own = [p for p in points if p["knob"] == knob]
+        if not own:
+            continue
+        if knob == "step":
+            own.sort(key=lambda p: p["value"])
+        errors = [max(p["error"], edge) for p in own]
+        work = [p["seconds_per_simulated_second"] for p in own]
+        spread = [[min(p["error_se"] or 0, 0.9 * e) for p, e in zip(own, errors)], [p["error_se"] or 0 for p in own]]
+        line = axis.errorbar(errors, work, xerr=spread, fmt=style, markersize=4, linewidth=1, elinewidth=0.6, label=knob)
+        zeros = [(e, w) for p, e, w in zip(own, errors, work) if p["error"] == 0]
+        if zeros:
+            axis.plot(*zip(*zeros), "o", markersize=7, fillstyle="none", color=line[0].get_color())
+        for p, error, seconds in zip(own, errors, work):
+            axis.annotate(str(p["value"]), (error, seconds), fontsize=5, xytext=(3, 3), textcoords="offset points")
+    noise = points[0]["noise"]
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    axis.set_xlim(left=edge / 1.5)
+    if noise:
+        axis.axvspan(edge / 1.5, noise, color="#cccccc", alpha=0.5, linewidth=0)
+    axis.set_title(metric.replace("_", " "), fontsize=8)
+    axis.tick_params(labelsize=6)
+    axis.grid(color="#dddddd", linewidth=0.5)
+
+
+def main():
+    arguments = parse_arguments()
+    panels = read(arguments.bench)
+    if not panels:
+        sys.exit(f"plot_accuracy.py: {arguments.bench} has no points")
+    columns = max(len(metrics) for metrics in panels.values())
+    figure, axes = plt.subplots(len(panels), columns, figsize=(2.3 * columns, 2.5 * len(panels) + 0.5), squeeze=False)
+    for row, (scene, metrics) in zip(axes, panels.items()):
+        for axis, (metric, points) in zip(row, metrics.items()):
+            draw(axis, metric, points, left_edge(points))
+        for axis in row[len(metrics):]:
+            axis.set_visible(False)
+        row[0].set_ylabel(f"{scene}\nprocessor s / simulated s", fontsize=7)
+    for axis in axes[-1]:
+        axis.set_xlabel("error", fontsize=7)
+    handles = {label: handle for row in axes for axis in row for handle, label in zip(*axis.get_legend_handles_labels())}
+    figure.legend(handles.values(), handles.keys(), loc="lower center", ncol=len(handles), fontsize=7, frameon=False)
+    figure.tight_layout(rect=(0, 0.4 / figure.get_figheight(), 1, 1))
+    out = arguments.out or arguments.bench.with_suffix(".png")
+    try:
+        figure.savefig(out, dpi=120)
+    except OSError as error:
+        sys.exit(f"plot_accuracy.py: {out} cannot be written ({error.strerror})")
+    print(out)
+
+
+if __name__ == "__main__":
+    main()
