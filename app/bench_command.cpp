@@ -53,15 +53,25 @@ int bench_accuracy_command(const BenchAccuracyArguments& a) {
   const std::vector<AccuracyScene> scenes = chosen(a.scene);
   require_knob(a.knob);
   if (a.make_reference) return make_references(scenes, folder, a.threads);
-  nlohmann::json points = nlohmann::json::array();
+  nlohmann::json points = nlohmann::json::array(), skipped = nlohmann::json::array();
   for (const AccuracyScene& scene : scenes) {
+    if (a.scene.empty() && !has_reference(folder / "reference.json", scene.name)) {
+      std::fprintf(stderr, "%s: left out, there is no reference of it yet; --make-reference --scene %s makes it\n",
+                   scene.name.c_str(), scene.name.c_str());
+      skipped.push_back(scene.name);
+      continue;
+    }
     const Reference reference = read_reference(folder / "reference.json", scene, folder);
     if (!a.json) print_head(scene, reference);
     measure(scene, folder, reference, {.quick = a.quick, .knob = a.knob, .threads = a.threads},
             [&](const Point& point) { a.json ? add_json(point, points) : print(point); });
   }
+  if (skipped.size() == scenes.size())
+    throw BadInput((folder / "reference.json").string() +
+                   " has no reference of any scene; --make-reference makes them");
   if (a.json)
     std::cout << nlohmann::json{{"points", points},
+                                {"without_reference", skipped},
                                 {"threads", a.threads},
                                 {"git", version::git},
                                 {"cost", "processor seconds of one thread per simulated second"}}

@@ -97,6 +97,10 @@ void write_reference(const std::filesystem::path& file, const std::string& scene
   replace_file(file, all.dump(1) + "\n");
 }
 
+bool has_reference(const std::filesystem::path& file, const std::string& scene) {
+  return read_all(file).contains(scene);
+}
+
 Reference read_reference(const std::filesystem::path& file, const AccuracyScene& scene,
                          const std::filesystem::path& folder) {
   const json all = read_all(file);

@@ -28,6 +28,9 @@ Reference make_reference(const AccuracyScene& scene, const std::filesystem::path
 /// Puts a scene's reference into the file, beside those of other scenes. @throws OutputError
 void write_reference(const std::filesystem::path& file, const std::string& scene, const Reference& reference);
 
+/// Whether the file has a reference of a scene. @throws BadInput for a file that is no JSON
+bool has_reference(const std::filesystem::path& file, const std::string& scene);
+
 /// Reference of a scene, made with the scene's files as they are.
 /// @throws BadInput where there is none, or it was made with other files
 Reference read_reference(const std::filesystem::path& file, const AccuracyScene& scene,
