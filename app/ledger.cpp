@@ -88,7 +88,11 @@ void Ledger::save(SavedState& to) const {
 void Ledger::restore(const SavedState& from) {
   energy_ = from.get_one<EnergyTerms>("ledger/energy");
   const std::vector<double> x = from.get<double>("ledger/extremes", 5), sums = from.get<double>("ledger/sums", 5);
-  extremes_ = {x[0] != 0, static_cast<ParticleId>(x[1]), x[2], x[3], x[4]};
+  extremes_.finite = x[0] != 0;
+  extremes_.culprit = static_cast<ParticleId>(x[1]);
+  extremes_.overlap_ratio = x[2];
+  extremes_.speed_ratio = x[3];
+  extremes_.turn = x[4];
   potential_before_ = sums[0];
   gravity_work_ = sums[1];
   gravity_turnover_ = sums[2];
