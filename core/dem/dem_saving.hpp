@@ -20,7 +20,7 @@ struct RowOf<Spin> : MadeOf<double> {};
 template <>
 struct RowOf<Load> : MadeOf<double> {};
 template <>
-struct RowOf<Losses> : MadeOf<double> {};
+struct RowOf<LostWork> : MadeOf<double> {};
 template <class T>
 struct RowOf<Quat<T>> : MadeOf<T> {};
 template <class T>
