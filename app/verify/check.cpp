@@ -32,9 +32,10 @@ void Recorder::within(const std::string& quantity, double measured, double low, 
 std::vector<Case> all_cases() {
   using Group = std::span<const Case> (*)();
   constexpr Group groups[] = {
-      hertz_cases,       restitution_cases, bond_cases,     beam_cases,    wave_cases,
-      objectivity_cases, flight_cases,      modulus_cases,  energy_cases,  fragments_cases,
-      strength_cases,    drivetrain_cases,  coupling_cases, generic_cases,
+      hertz_cases,     restitution_cases, oblique_cases,     spin_cases,        rolling_cases, slip_cases,
+      mesh_flat_cases, mesh_edge_cases,   mesh_motion_cases, mesh_tiling_cases, bond_cases,    beam_cases,
+      wave_cases,      objectivity_cases, flight_cases,      modulus_cases,     energy_cases,  fragments_cases,
+      strength_cases,  drivetrain_cases,  coupling_cases,    generic_cases,
   };
   std::vector<Case> all;
   for (const Group group : groups) {

@@ -63,7 +63,7 @@ struct Case {
   When when = When::always;
 };
 
-// One function a group, in the file of its name.
+// One function a group, in the file of its name; the group `mesh` has four.
 std::span<const Case> hertz_cases();
 std::span<const Case> restitution_cases();
 std::span<const Case> bond_cases();
@@ -78,6 +78,14 @@ std::span<const Case> strength_cases();
 std::span<const Case> drivetrain_cases();
 std::span<const Case> coupling_cases();
 std::span<const Case> generic_cases();
+std::span<const Case> oblique_cases();
+std::span<const Case> spin_cases();
+std::span<const Case> rolling_cases();
+std::span<const Case> slip_cases();
+std::span<const Case> mesh_flat_cases();
+std::span<const Case> mesh_edge_cases();
+std::span<const Case> mesh_motion_cases();
+std::span<const Case> mesh_tiling_cases();
 
 /// All cases in the order of the groups.
 std::vector<Case> all_cases();

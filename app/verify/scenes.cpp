@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/verify/scenes.hpp"
 
+#include <cmath>
+
 namespace gyro::verify {
 
 Material elastic(double youngs, double poisson_ratio, double density) {
@@ -31,6 +33,20 @@ Scene scene_of(const Material& rock, const Material& wall, const PairProperties&
   scene.gravity = {0, 0, 0};
   scene.dt = dt;
   return scene;
+}
+
+Wall floor_plane() {
+  return {"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1};
+}
+
+Wall floor_mesh(double half) {
+  return {"floor",
+          MeshShape{{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2}, {0, 2, 3}}},
+          Fixed{}, 1};
+}
+
+double static_overlap(double youngs, double radius, double force) {
+  return std::pow(force / (4.0 / 3 * youngs * std::sqrt(radius)), 2.0 / 3);
 }
 
 NewRock sphere(ParticleId id, Vec3d position, Vec3d velocity, double radius, double density, Vec3d spin) {

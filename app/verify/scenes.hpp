@@ -26,6 +26,14 @@ double sphere_mass(double radius, double density);
 /// Rock of `rock` (material 0) and walls of `wall` (material 1), no gravity, all pairs alike.
 Scene scene_of(const Material& rock, const Material& wall, const PairProperties& pair, double dt);
 
+/// Walls of material 1, rock above z = 0 and their normal z.
+Wall floor_plane();
+/// A floor of two triangles that reaches `half` to each side.
+Wall floor_mesh(double half);
+
+/// Overlap of a sphere pressed on a wall by a force: (F / (4/3 E* sqrt(R)))^(2/3) [m].
+double static_overlap(double youngs, double radius, double force);
+
 /// A loose sphere.
 NewRock sphere(ParticleId id, Vec3d position, Vec3d velocity, double radius, double density, Vec3d spin = {0, 0, 0});
 

@@ -53,7 +53,9 @@ struct PairForces {
     c.spin = cast<Real>(wa.w - wb.w);
     c.radius = static_cast<Real>(a.radius * b.radius / (a.radius + b.radius));
     c.mass = static_cast<Real>(va.mass * vb.mass / (va.mass + vb.mass));
-    c.inertia = static_cast<Real>(wa.inertia * wb.inertia / (wa.inertia + wb.inertia));
+    const double inertias = wa.inertia + wb.inertia;
+    c.inertia = static_cast<Real>(wa.inertia * wb.inertia / inertias);
+    c.lever = static_cast<Real>((arm_a * wb.inertia - arm_b * wa.inertia) / inertias);
 
     const ContactLoad<Real> load = hertz_mindlin(law, c, pairs.memory[n]);
 

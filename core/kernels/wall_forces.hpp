@@ -26,6 +26,10 @@ struct WallTotal {
     moment += cross(point, on_particle);
     power += dot(on_particle, wall_velocity);
   }
+  GYRO_HD void add_couple(const Vec3d& on_particle, const Vec3d& wall_spin) {
+    moment += on_particle;
+    power += dot(on_particle, wall_spin);
+  }
   /// Adds what acts over a time to an exact sum.
   GYRO_HD void book(double time, WallSum& sum) const {
     const double scale = time / wall_quantum;
@@ -103,17 +107,20 @@ struct WallForces {
       c.radius = static_cast<Real>(place.radius);
       c.mass = static_cast<Real>(motion.mass);
       c.inertia = static_cast<Real>(spin.inertia);
+      c.lever = static_cast<Real>(arm);
 
       const ContactLoad<Real> load = hertz_mindlin(laws[entry.wall], c, remembered(old, cast<Real>(outward), taken));
       const Real weight = static_cast<Real>(touch.weight);
       const Vec3<Real> force = weight * load.force;
+      const Vec3<Real> couple = weight * load.couple;
       result.force += force;
-      result.moment += static_cast<Real>(arm) * cross(c.normal, force) + weight * load.couple;
+      result.moment += static_cast<Real>(arm) * cross(c.normal, force) + couple;
       result.damped += weight * load.damped;
       result.slipped += weight * load.slipped;
       now.contact[k] = load.past;
       now.normal[k] = cast<Real>(outward);
       total.add(cast<double>(force), point, wall_velocity);
+      total.add_couple(cast<double>(couple), pose.spin);
     }
     now.count = touches.count;
     walls.memory[n] = now;

@@ -3,10 +3,6 @@
 #include "tests/catch.hpp"
 #include "tests/core/dem/scenes.hpp"
 
-#include "core/laws/restitution.hpp"
-
-#include <algorithm>
-
 using namespace gyro;
 using namespace gyro::test;
 
@@ -25,55 +21,6 @@ Vec3d angular_momentum(const ParticleSnapshot& s) {
 }
 
 }  // namespace
-
-TEST_CASE("Elastic spheres rebound as Hertz predicts", "[dem][contact]") {
-  // verification: Chung & Ooi (2011), test 1, glass. Fmax and depth from Hertz.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
-  const double radius = 0.01, speed = 10, youngs = 48e9, nu = 0.2, density = 2800;
-  const double plane = youngs / (1 - nu * nu) / 2, mass = density * 4 / 3 * M_PI * std::pow(radius, 3);
-  const double depth = std::pow(15 * (mass / 2) * 4 * speed * speed / (16 * plane * std::sqrt(radius / 2)), 0.4);
-  const double duration = 2.943275 * depth / (2 * speed);
-  CHECK(depth == Approx(274.1127e-6).epsilon(1e-4));
-
-  Scene scene = plain_scene(duration / 400);
-  scene.materials[0] = {"glass", density, youngs / (2 * (1 + nu)), nu};
-  const auto dem = make_cpu_dem(scene, loads, 1);
-  const std::vector<NewRock> pair{sphere(0, {-radius, 0, 0}, {speed, 0, 0}, radius, density),
-                                  sphere(1, {radius, 0, 0}, {-speed, 0, 0}, radius, density)};
-  dem->insert(pair);
-  double deepest = 0, force = 0;
-  std::int64_t step = 0;
-  for (int k = 0; k < 420; ++k) {
-    run(*dem, scene.dt, step, 1);
-    const ParticleSnapshot s = dem->particles();
-    deepest = std::max(deepest, 2 * radius - norm(s.position[1] - s.position[0]));
-    force = std::max(force, norm(s.force[0]));
-  }
-  const ParticleSnapshot after = dem->particles();
-  CHECK(deepest == Approx(depth).epsilon(1e-3));
-  CHECK(force == Approx(10696.89).epsilon(1e-3));
-  CHECK(after.velocity[1].x == Approx(speed).epsilon(2e-4));
-  CHECK(std::abs(after.velocity[0].x + after.velocity[1].x) < 1e-10);
-}
-
-TEST_CASE("The restitution asked for is the restitution got", "[dem][contact]") {
-  const double e = GENERATE(0.05, 0.2, 0.25, 0.5, 0.9);
-  const double speed = GENERATE(0.1, 1.0);
-  const double radius = 0.0025;
-  Scene scene = plain_scene(1);
-  scene.pairs.assign(4, {0, e, 0});
-  const double plane = 1 / ((1 - 0.35 * 0.35) / (2 * 557e6 * 1.35) + (1 - 0.09) / (2 * 70e9 * 1.3));
-  const double mass = 2600 * 4.0 / 3 * M_PI * std::pow(radius, 3);
-  const double depth = std::pow(15 * mass * speed * speed / (16 * plane * std::sqrt(radius)), 0.4);
-  scene.dt = 2.943275 * depth / speed / 1000;
-  scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
-  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
-  const std::vector<NewRock> one{sphere(0, {0, 0, radius}, {0, 0, -speed}, radius, 2600)};
-  dem->insert(one);
-  std::int64_t step = 0;
-  run(*dem, scene.dt, step, 30000);
-  CHECK(dem->particles().velocity[0].z / speed == Approx(e).margin(1e-3));
-}
 
 TEST_CASE("A free spinning rock neither heats nor drifts", "[dem][bond]") {
   const Loads loads = GENERATE(Loads::double_, Loads::single);

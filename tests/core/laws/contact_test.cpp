@@ -17,7 +17,7 @@ ContactLaw<double> elastic_law() {
   return {youngs, shear, 0, 0.5, 0, 1e-6};
 }
 ContactMotion<double> resting(double overlap) {
-  return {{0, 0, 1}, overlap, {0, 0, 0}, {0, 0, 0}, radius, mass, 2e-8};
+  return {{0, 0, 1}, overlap, {0, 0, 0}, {0, 0, 0}, radius, mass, 2e-8, radius};
 }
 double hertz(double overlap) {
   return 4.0 / 3 * youngs * std::sqrt(radius) * std::pow(overlap, 1.5);
@@ -157,7 +157,7 @@ TEST_CASE("Damping of any contact takes energy", "[laws][contact]") {
   }
 }
 
-TEST_CASE("Rolling resistance is mu_r R* Fn and cannot turn the spin round", "[laws][contact]") {
+TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest what balances spin and friction", "[laws][contact]") {
   ContactLaw<double> law = elastic_law();
   law.rolling = 0.05;
   ContactMotion<double> c = resting(1e-5);
@@ -168,7 +168,12 @@ TEST_CASE("Rolling resistance is mu_r R* Fn and cannot turn the spin round", "[l
   CHECK(fast.slipped == Approx(law.dt * norm(fast.couple) * 500).epsilon(1e-12));
   c.spin = {1e-3, 0, 0};
   const ContactLoad<double> slow = lasting(law, c, {0, 0, 0}, c.overlap);
-  CHECK(c.spin.x + slow.couple.x * law.dt / c.inertia == Approx(0).margin(1e-18));
+  CHECK(c.spin.x + 4 * slow.couple.x * law.dt / c.inertia == Approx(0).margin(1e-18));
+  c.spin = {0, 0, 0};
+  const ContactLoad<double> rest = lasting(law, c, {1e-3, 2e-3, 0}, c.overlap);
+  CHECK(norm(rest.couple + c.lever * cross(c.normal, rest.force)) < 1e-15 * norm(rest.couple));
+  CHECK(norm(rest.couple) > 0);
+  CHECK(rest.slipped == Approx(0).margin(1e-18));
 }
 
 TEST_CASE("Restitution of a contact that cannot pull: published pairs", "[laws][contact]") {

@@ -2,8 +2,6 @@
 #include "core/base/errors.hpp"
 #include "core/laws/wall_contact.hpp"
 #include "core/math/random.hpp"
-#include "core/walls/liners.hpp"
-#include "core/walls/mesh_grid.hpp"
 #include "core/walls/profile_surface.hpp"
 #include "tests/catch.hpp"
 
@@ -162,36 +160,6 @@ TEST_CASE("profile: gaps are the true distance, by dense sampling") {
       }
     CHECK(t.touch[0].gap == Approx(nearest - 0.2).margin(1e-7));
   }
-}
-
-TEST_CASE("M10: a revolved mesh converges to the profile with the square of the sectors") {
-  const ProfileShape cone{{{1.0, 0}, {1.5, 1.2}}};  // rock inside
-  const ProfileSurface exact(cone);
-  std::vector<double> errors;
-  for (const int sectors : {32, 128, 512}) {
-    const MeshGrid mesh(revolve(cone, sectors));
-    double error = 0;
-    for (std::uint32_t i = 0; i < 100; ++i) {
-      const double azimuth = 2 * pi * uniform(5, Stream::place, i, 0), z = 0.3 + 0.6 * uniform(5, Stream::place, i, 1);
-      const double r = 1 + 0.5 / 1.2 * z - 0.07;  // 65 mm from the cone's line
-      const Vec3d centre{r * std::cos(azimuth), r * std::sin(azimuth), z};
-      const WallTouches a = touch(exact, centre, 0.1), b = touch_mesh(mesh.view(), centre, 0.1);
-      REQUIRE(a.count == 1);
-      REQUIRE(b.count >= 1);
-      double gap = 0, weight = 0;
-      for (int k = 0; k < b.count; ++k) {
-        gap += b.touch[k].weight * b.touch[k].gap;
-        weight += b.touch[k].weight;
-      }
-      error += std::abs(gap / weight - a.touch[0].gap) / 100;
-      CHECK(weight == Approx(1).margin(2 * pi * pi / (sectors * sectors))  // (1 - k) / (1 + k), k of 2 pi / sectors
-      );
-    }
-    errors.push_back(error);
-  }
-  INFO(errors[0] << " " << errors[1] << " " << errors[2]);
-  CHECK(errors[0] / errors[1] == Approx(16).epsilon(0.2));
-  CHECK(errors[1] / errors[2] == Approx(16).epsilon(0.2));
 }
 
 TEST_CASE("profiles that are none are refused") {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edges, seams and corners of meshes (M3 to M5).
+#include "app/verify/check.hpp"
+#include "app/verify/meshes.hpp"
+#include "app/verify/rig.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gyro::verify {
+namespace {
+
+constexpr double radius = 0.01;
+const Material rock{"rock", 2600, 557e6, 0.35};
+
+/// Floor z = 0 for x < 0, riser x = 0 from z = 0 to 0.2, top z = 0.2 for x > 0.
+Wall stair() {
+  return {
+      "stair",
+      MeshShape{{{-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0}, {0, -1, 0.2}, {0, 1, 0.2}, {1, -1, 0.2}, {1, 1, 0.2}},
+                {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {4, 6, 7}, {4, 7, 5}}},
+      Fixed{}, 1};
+}
+
+Wall fold(double degrees) {
+  return {"fold", folded(degrees, 1), Fixed{}, 1};
+}
+
+/// A held sphere is led over the upper edge of the stair: face, edge, face.
+void over_a_convex_edge(Recorder& out) {
+  const double k = 0.94 * radius, way = 1.08 * radius;  // passes the edge at k/sqrt(2)
+  const int steps = 2000;
+  Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 1e-6);
+  scene.walls = {stair()};
+  Stage stage(scene, out.loads());
+  const Vec3d start{radius - k, 0.1, 0.2 + radius}, step = (way / steps) * Vec3d{-1, 0.3, -1};
+  stage.insert({sphere(0, start, 1 / scene.dt * step, radius, held)});
+  double worst = 0, largest_step = 0;
+  Vec3d last{0, 0, 0};
+  for (int n = 1; n <= steps; ++n) {
+    stage.advance(1);
+    const ParticleSnapshot s = stage.dem().particles();
+    // The nearest point of the quarter space x > 0, z < 0.2.
+    const Vec3d x = s.position[0];
+    const Vec3d from{x.x < 0 ? x.x : 0, 0, x.z > 0.2 ? x.z - 0.2 : 0};
+    const double deep = radius - norm(from);
+    const Vec3d expected = deep > 0 ? hertz_force(rock, radius, deep) / norm(from) * from : Vec3d{0, 0, 0};
+    worst = std::max(worst, norm(s.force[0] - expected));
+    if (n > 1) largest_step = std::max(largest_step, norm(s.force[0] - last));
+    last = s.force[0];
+  }
+  const double peak = hertz_force(rock, radius, radius - k / std::sqrt(2.0));
+  out.absolute("force", worst / peak, 0, {1e-9, 1e-6}, "Hertz at the nearest point of a quarter space");
+  out.within("largest-change-x-steps", largest_step / peak * steps, 0, 10, "continuous: no jump in a step");
+}
+
+/// A sphere rolls slowly over the edge and drops: nothing but potential energy becomes kinetic.
+void rolls_over_a_convex_edge(Recorder& out) {
+  Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 2e-6);
+  scene.gravity = {0, 0, -9.81};
+  scene.walls = {stair()};
+  Stage stage(scene, out.loads());
+  const double mass = sphere_mass(radius, rock.density);
+  const double deep = static_overlap(youngs_against_rigid(rock), radius, mass * 9.81);
+  stage.insert({sphere(0, {0.002, 0, 0.2 + radius - deep}, {-0.1, 0.03, 0}, radius, rock.density)});
+  double worst = 0;
+  for (int k = 0; k < 500; ++k) {
+    stage.advance(100);
+    worst = std::max(worst, std::abs(stage.dem().energy().residual()));
+  }
+  const ParticleSnapshot s = stage.dem().particles();
+  out.absolute("has-left", s.position[0].x < -0.003 && s.position[0].z < 0.2 ? 1 : 0, 1, {0, 0},
+               "it falls beside the edge");
+  out.absolute("energy", worst / (mass * 9.81 * radius), 0, {1e-5, 1e-5}, "conserved, over m g R");
+}
+
+/// Right corners are full contacts.
+void corners(Recorder& out) {
+  const double a = 0.02 * radius, b = 0.03 * radius, c = 0.01 * radius;
+  const Vec3d two = force_on_held({stair()}, rock, radius, {a - radius, 0.1, radius - b}, out.loads());
+  out.relative("two-faces-riser", -two.x, hertz_force(rock, radius, a), {1e-9, 1e-6}, "Hertz on each face");
+  out.relative("two-faces-floor", two.z, hertz_force(rock, radius, b), {1e-9, 1e-6}, "Hertz on each face");
+  const Wall box{"box", MeshShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}},
+                 Fixed{}, 1};
+  const Vec3d three = force_on_held({box}, rock, radius, {radius - a, radius - b, radius - c}, out.loads());
+  out.relative("three-faces-x", three.x, hertz_force(rock, radius, a), {1e-9, 1e-6}, "Hertz on each face");
+  out.relative("three-faces-y", three.y, hertz_force(rock, radius, b), {1e-9, 1e-6}, "Hertz on each face");
+  out.relative("three-faces-z", three.z, hertz_force(rock, radius, c), {1e-9, 1e-6}, "Hertz on each face");
+}
+
+/// Where a sphere above a seam is pressed in by `deep` on both faces, the force over that on a plane, less 1.
+double seam_error(double degrees, Loads loads) {
+  const double deep = 0.01 * radius, half = (180 - degrees) / 2 * pi / 180;
+  const Vec3d force = force_on_held({fold(degrees)}, rock, radius, {0, 0.1, (radius - deep) / std::cos(half)}, loads);
+  return norm(force - Vec3d{0, 0, hertz_force(rock, radius, deep)}) / hertz_force(rock, radius, deep);
+}
+
+/// A seam becomes a plane as it flattens.
+void flat_seams(Recorder& out) {
+  for (const double degrees : {178.0, 179.0, 179.9}) {
+    const double bend = (180 - degrees) * pi / 180;
+    out.absolute("error-at-" + std::to_string(std::lround(10 * degrees)) + "-tenths", seam_error(degrees, out.loads()),
+                 0, {bend * bend, bend * bend}, "a plane, to the second order of the fold");
+  }
+}
+
+/// Largest step of the force when a held sphere crosses a fold in so many steps, over the force on a plane.
+double largest_step(double degrees, int steps, Loads loads) {
+  const double deep = 0.01 * radius, half = std::abs(180 - degrees) / 2 * pi / 180;
+  const bool valley = degrees < 180;
+  const double height = valley ? (radius - deep) / std::cos(half) : radius - deep;
+  const double width = 1.3 * std::max(height * std::sin(half), 0.02 * radius);
+  Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 1e-6);
+  scene.walls = {fold(degrees)};
+  Stage stage(scene, loads);
+  stage.insert({sphere(0, {-width, 0.1, height}, {2 * width / (steps * scene.dt), 0, 0}, radius, held)});
+  stage.advance(1);
+  double largest = 0;
+  Vec3d last = stage.dem().particles().force[0];
+  for (int k = 1; k < steps; ++k) {
+    stage.advance(1);
+    const Vec3d now = stage.dem().particles().force[0];
+    largest = std::max(largest, norm(now - last));
+    last = now;
+  }
+  return largest / hertz_force(rock, radius, deep);
+}
+
+/// A jump would not shrink with the step.
+void no_jumps(Recorder& out) {
+  const double folds[] = {90, 119, 121, 150, 175, 179, 179.9, 190, 240, 270};
+  for (const double degrees : folds) {
+    const std::string name = "fold-of-" + std::to_string(std::lround(10 * degrees)) + "-tenths";
+    const double ratio = largest_step(degrees, 10000, out.loads()) / largest_step(degrees, 1000, out.loads());
+    out.within(name, ratio, 0, 0.16, "continuous: a tenth of the step, a tenth of the largest change");
+  }
+}
+
+/// The tip of a pyramid pushes from the tip.
+void tip(Recorder& out) {
+  const Wall pyramid{"pyramid",
+                     MeshShape{{{0, 0, 0}, {1, 0, -1}, {0, 1, -1}, {-1, 0, -1}, {0, -1, -1}},
+                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}},
+                     Fixed{}, 1};
+  const Vec3d centre{0.1 * radius, 0.2 * radius, 0.95 * radius};
+  const Vec3d force = force_on_held({pyramid}, rock, radius, centre, out.loads());
+  const double expected = hertz_force(rock, radius, radius - norm(centre));
+  out.relative("force", norm(force), expected, {1e-9, 1e-6}, "Hertz: one contact");
+  out.absolute("direction", norm(1 / norm(force) * force - 1 / norm(centre) * centre), 0, {1e-12, 1e-6},
+               "from the tip");
+}
+
+const std::array<Case, 6> cases{{
+    {"mesh/m3-over-a-convex-edge", over_a_convex_edge},
+    {"mesh/m3-falls-over-a-convex-edge", rolls_over_a_convex_edge},
+    {"mesh/m4-corners", corners},
+    {"mesh/m4-flat-seams", flat_seams},
+    {"mesh/m4-no-jumps", no_jumps},
+    {"mesh/m5-tip", tip},
+}};
+
+}  // namespace
+
+std::span<const Case> mesh_edge_cases() {
+  return cases;
+}
+
+}  // namespace gyro::verify
