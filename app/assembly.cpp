@@ -54,9 +54,7 @@ LibraryRecipe recipe_of(const Case& input, const Scene& scene) {
   recipe.shapes = rocks.shapes;
   recipe.sizes = rocks.sizes;
   recipe.samples = rocks.samples;
-  if (!rocks.fill_ratio)
-    throw BadKey("rocks.fill.sizes", "rocks.fill.sizes is not available in this version; rocks.fill.ratio is accepted");
-  recipe.fill_ratio = *rocks.fill_ratio;
+  recipe.fill = rocks.fill;
   recipe.rock_density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
   recipe.compensated = rocks.density_compensated;
   if (input.bonds) {
@@ -150,6 +148,7 @@ Assembly assemble(const Case& input) {
   for (const CaseWall& wall : input.walls) blaming("walls." + wall.name, [&] { add_wall(out, wall); });
   if (input.rocks) {
     out.library = blaming("rocks", [&] { return make_library(recipe_of(input, scene), default_cache_folder()); });
+    out.notes.insert(out.notes.end(), out.library.notes.begin(), out.library.notes.end());
     out.removal_depth = 2 * largest_rock(out.library);
   }
   out.start = blaming("particles", [&] { return start_state(input); });

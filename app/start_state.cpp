@@ -10,11 +10,6 @@
 namespace gyro {
 namespace {
 
-double bond_radius(const BondRule& rule, double smaller_radius) {
-  if (const auto* relative = std::get_if<RelativeBondRadius>(&rule.radius)) return relative->factor * smaller_radius;
-  return std::get<AbsoluteBondRadius>(rule.radius).radius;
-}
-
 /// Rows of the particle table by rock, rocks in order of number.
 std::map<RockId, std::vector<Index>> rows_by_rock(const CaseParticles& table) {
   std::map<RockId, std::vector<Index>> rows;
@@ -59,9 +54,8 @@ std::vector<NewRock> start_state(const Case& input) {
   std::vector<std::vector<TemplateBond>> bonds(rocks.size());
   for (const StartBond& b : table.bonds) {
     const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
-    const double smaller_radius = std::min(table.particles[i].radius, table.particles[j].radius);
-    bonds[static_cast<std::size_t>(rock_of[i])].push_back(
-        {place[i], place[j], b.length, bond_radius(input.bonds->rule, smaller_radius)});
+    const double radius = bond_radius(input.bonds->rule, table.particles[i].radius, table.particles[j].radius);
+    bonds[static_cast<std::size_t>(rock_of[i])].push_back({place[i], place[j], b.length, radius});
   }
   for (std::size_t r = 0; r < rocks.size(); ++r) {
     NewRock& rock = rocks[r];

@@ -59,13 +59,12 @@ struct CaseBonds {
   std::optional<StrengthScatter> scatter;           ///< none: all bonds are equally strong
 };
 
-/// `rocks`: the library of meta-particles. Exactly one of the two fills is there.
+/// `rocks`: the library of meta-particles.
 struct CaseRocks {
-  std::variant<ProceduralShapes, ShapeFiles> shapes;  ///< paths are absolute
+  std::variant<ProceduralShapes, ShapeFiles, CylinderSpecimen> shapes;  ///< paths are absolute
   SizeLaw sizes;
-  int samples = 24;                                     ///< rocks in the library
-  std::optional<double> fill_ratio;                     ///< rock diameter / particle diameter, mono-sized [-]
-  std::optional<std::pair<double, double>> fill_sizes;  ///< or the range of particle diameters [m]
+  int samples = 24;  ///< rocks in the library
+  FillRule fill;
   bool density_compensated = true;  ///< particles are denser than rock, so that the rock's mass is right
 };
 

@@ -44,11 +44,21 @@ std::vector<CaseContact> contacts_of(const Setting& section, const std::vector<M
   return contacts;
 }
 
+StrengthScatter scatter_of(const Setting& section) {
+  const std::string& distribution = section.text("distribution");
+  if (distribution == "weibull") return WeibullStrength{section.number("mean"), section.number("modulus")};
+  const std::vector<double>& range = section.find("range")->numbers;
+  if (distribution == "paper_literal") return paper_literal(range[0], range[1]);
+  return TruncatedNormal{section.number("mean"), section.number("deviation"), range[0], range[1]};
+}
+
 CaseBonds bonds_of(const Setting& section) {
   CaseBonds bonds;
   bonds.rule.gap = section.number("gap");
   if (const auto factor = number_if(section, "radius.relative"))
     bonds.rule.radius = RelativeBondRadius{*factor};
+  else if (const auto area = number_if(section, "radius.area"))
+    bonds.rule.radius = ContactAreaBond{*area};
   else
     bonds.rule.radius = AbsoluteBondRadius{section.number("radius.absolute")};
   if (const auto modulus = number_if(section, "modulus"))
@@ -58,10 +68,7 @@ CaseBonds bonds_of(const Setting& section) {
   bonds.tensile_strength = section.number("tensile_strength");
   bonds.shear_strength = section.number("shear_strength");
   bonds.damping = section.number("damping");
-  if (const Setting* scatter = section.find("strength_scatter")) {
-    const std::vector<double>& range = scatter->find("range")->numbers;
-    bonds.scatter = StrengthScatter{scatter->number("mean"), scatter->number("deviation"), range[0], range[1]};
-  }
+  if (const Setting* scatter = section.find("strength_scatter")) bonds.scatter = scatter_of(*scatter);
   return bonds;
 }
 
@@ -70,6 +77,7 @@ SizeLaw sizes_of(const Setting& section, const CaseTables& tables) {
     return RosinRammler{law->number("x63"), law->number("m"), law->number("min"), law->number("max")};
   if (const Setting* law = section.find("gates_gaudin_schuhmann"))
     return GatesGaudinSchuhmann{law->number("xmax"), law->number("m"), law->number("min")};
+  if (const Setting* law = section.find("vendor")) return vendor_feed(law->number("feed_opening"), law->number("min"));
   PassingTable table{tables.sieves};
   if (const Setting* passing = section.find("passing"))
     for (std::size_t k = 0; k + 1 < passing->numbers.size(); k += 2)
@@ -77,17 +85,30 @@ SizeLaw sizes_of(const Setting& section, const CaseTables& tables) {
   return table;
 }
 
+ShapeStyle style_of(const Setting& section) {
+  ShapeStyle style;
+  if (const Setting* ratio = section.find("elongation")) style.elongation = {ratio->numbers[0], ratio->numbers[1]};
+  if (const Setting* ratio = section.find("flatness")) style.flatness = {ratio->numbers[0], ratio->numbers[1]};
+  style.angularity = number_if(section, "angularity").value_or(style.angularity);
+  style.roughness = number_if(section, "roughness").value_or(style.roughness);
+  return style;
+}
+
 CaseRocks rocks_of(const Setting& section, const CaseTables& tables) {
   CaseRocks rocks;
   if (const Setting* files = section.find("shapes.files"))
-    rocks.shapes = ShapeFiles{files->texts};
+    rocks.shapes = ShapeFiles{files->texts, static_cast<int>(number_if(section, "shapes.corners").value_or(0))};
+  else if (const auto slenderness = number_if(section, "shapes.cylinder"))
+    rocks.shapes = CylinderSpecimen{*slenderness};
   else
-    rocks.shapes = ProceduralShapes{static_cast<int>(section.number("shapes.procedural"))};
+    rocks.shapes =
+        ProceduralShapes{static_cast<int>(section.number("shapes.procedural")), style_of(*section.find("shapes"))};
   rocks.sizes = sizes_of(*section.find("sizes"), tables);
   rocks.samples = static_cast<int>(section.number("samples"));
-  rocks.fill_ratio = number_if(section, "fill.ratio");
   if (const Setting* sizes = section.find("fill.sizes"))
-    rocks.fill_sizes = std::pair(sizes->numbers[0], sizes->numbers[1]);
+    rocks.fill = RangeFill{sizes->numbers[0], sizes->numbers[1], section.number("fill.exponent")};
+  else
+    rocks.fill = MonoFill{section.number("fill.ratio")};
   rocks.density_compensated = section.text("density") == "compensated";
   return rocks;
 }

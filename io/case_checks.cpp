@@ -194,9 +194,26 @@ void expect_order(const Setting& root, std::string_view section, std::string_vie
             std::string(small) + " is not smaller than " + std::string(large) + "; a smaller size is accepted");
 }
 
+/// Keys that refine one form of a section do not go with the other.
+void refuse_beside(const Setting& root, const std::string& section, const std::string& form, const std::string& other,
+                   std::initializer_list<const char*> keys, CaseProblems& log) {
+  const Setting* said = root.find(section);
+  if (said == nullptr || said->find(form) == nullptr) return;
+  for (const char* key : keys) {
+    if (const Setting* extra = said->find(key))
+      log.add(extra->mark, section + "." + key + " does not go with " + section + "." + form + "; it goes with " +
+                               section + "." + other);
+  }
+}
+
 void check_rocks(const Setting& root, CaseProblems& log) {
   expect_order(root, "rocks.sizes.rosin_rammler", "min", "max", log);
   expect_order(root, "rocks.sizes.gates_gaudin_schuhmann", "min", "xmax", log);
+  const Setting* least = root.find("rocks.sizes.vendor.min");
+  const Setting* opening = root.find("rocks.sizes.vendor.feed_opening");
+  if (least != nullptr && opening != nullptr && !(least->numbers[0] < 0.1 * opening->numbers[0]))
+    log.add(least->mark,
+            "min is not below 0.1 of feed_opening, which half of the feed passes; a smaller size is accepted");
   if (const Setting* passing = root.find("rocks.sizes.passing")) {
     const std::vector<double>& v = passing->numbers;
     for (std::size_t k = 2; k + 1 < v.size(); k += 2) {
@@ -210,11 +227,15 @@ void check_rocks(const Setting& root, CaseProblems& log) {
     if (v.back() != 1)
       log.add(passing->item_marks.back(), "the largest size does not pass all; a last share of 1 is accepted");
   }
+  refuse_beside(root, "rocks.fill", "ratio", "sizes", {"exponent"}, log);
+  refuse_beside(root, "rocks.shapes", "files", "procedural", {"elongation", "flatness", "angularity", "roughness"},
+                log);
+  refuse_beside(root, "rocks.shapes", "procedural", "files", {"corners"}, log);
   const Setting* scatter = root.find("bonds.strength_scatter");
   const Setting* mean = scatter == nullptr ? nullptr : scatter->find("mean");
   const Setting* range = scatter == nullptr ? nullptr : scatter->find("range");
-  if (mean != nullptr && range != nullptr &&
-      (mean->numbers[0] < range->numbers[0] || mean->numbers[0] > range->numbers[1]))
+  const double middle = mean == nullptr ? 1 : mean->numbers[0];  // of the paper's literal scatter
+  if (range != nullptr && scatter->lost.empty() && (middle < range->numbers[0] || middle > range->numbers[1]))
     log.add(range->mark, "the mean of strength_scatter is not inside the range; a range around it is accepted");
 }
 

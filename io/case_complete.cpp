@@ -29,6 +29,11 @@ void add_text(Setting& section, std::string_view path, const std::string& text, 
   add_child(section, key, std::string(key.name()), mark).texts = {text};
 }
 
+void add_number(Setting& section, std::string_view path, double number) {
+  const Key& key = *find_key(path);
+  add_child(section, key, std::string(key.name()), section.mark).numbers = {number};
+}
+
 void resolve_paths(Setting& setting, const fs::path& folder, CaseProblems& problems) {
   for (Setting& child : setting.children) resolve_paths(child, folder, problems);
   if (setting.key == nullptr || (setting.key->type != KeyType::file && setting.key->type != KeyType::files)) return;
@@ -81,6 +86,11 @@ void complete_settings(Setting& root, const fs::path& case_file, CaseProblems& p
   if (profile) add_liners(root, *profile);
   Setting* walls = find_child(root, "walls");
   if (walls != nullptr) add_motions(*walls, profile.has_value());
+
+  Setting* rocks = find_child(root, "rocks");
+  Setting* fill = rocks == nullptr ? nullptr : find_child(*rocks, "fill");
+  if (fill != nullptr && find_child(*fill, "sizes") != nullptr && fill->lacks("exponent"))
+    add_number(*fill, "rocks.fill.exponent", RangeFill{}.exponent);
 
   Setting* feed = find_child(root, "feed");
   if (feed != nullptr && find_child(*feed, "above") == nullptr && find_child(*feed, "rocks") == nullptr &&

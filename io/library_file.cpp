@@ -29,6 +29,7 @@ void write_rock(hdf5::File& file, const RockTemplate& rock) {
                                     {"packing_fraction", rock.packing_fraction},
                                     {"mass_error", rock.mass_error},
                                     {"inertia_error", rock.inertia_error},
+                                    {"centre_error", rock.centre_error},
                                     {"coordination", rock.coordination},
                                     {"critical_step", rock.critical_step}})
     file.set_attribute(group, name, value);

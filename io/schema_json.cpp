@@ -107,11 +107,12 @@ Json section_schema(std::string_view pattern, std::string_view one_of) {
     if (key->when.empty()) continue;
     const std::size_t equals = key->when.find('=');
     const std::string neighbour(key->when.substr(0, equals));
+    const Json there = {{"required", Json::array({name})}};
     cases.push_back({{"if",
                       {{"properties", {{neighbour, words_schema(key->when.substr(equals + 1))}}},
                        {"required", Json::array({neighbour})}}},
-                     {"then", {{"required", Json::array({name})}}},
-                     {"else", {{"not", {{"required", Json::array({name})}}}}}});
+                     {"then", key->fallback.empty() ? there : Json::object()},
+                     {"else", {{"not", there}}}});
   }
   Json schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   if (!required.empty()) schema["required"] = required;

@@ -17,7 +17,7 @@ const std::string source = "truncated normal, error function";
 /// Figures of mean 1 and deviation 1, cut at both ends.
 struct Figures {
   std::string name;
-  StrengthScatter scatter;
+  TruncatedNormal scatter;
   double deviation, acceptance;
   std::vector<std::array<double, 2>> quantiles;  ///< percent, factor
 };
@@ -54,7 +54,7 @@ void quantiles(Recorder& out) {
   }
 }
 
-double distribution(const StrengthScatter& s, double x) {
+double distribution(const TruncatedNormal& s, double x) {
   const auto below = [&](double at) { return 0.5 * std::erfc((s.mean - at) / (s.deviation * std::numbers::sqrt2)); };
   return (below(x) - below(s.lower)) / (below(s.upper) - below(s.lower));
 }
@@ -63,7 +63,7 @@ double distribution(const StrengthScatter& s, double x) {
 void million_bonds(Recorder& out) {
   constexpr int n = 1000000;
   for (const double deviation : {1.0, 0.2}) {
-    const StrengthScatter scatter{1, deviation, 0.4, 1.6};
+    const TruncatedNormal scatter{1, deviation, 0.4, 1.6};
     std::vector<double> x;
     double product = 0;
     for (int k = 0; k < n; ++k) {
@@ -94,7 +94,7 @@ void weakest_bond(Recorder& out) {
     double weakest = 2;
     for (ParticleId i = 0; i < 383; ++i) {
       const auto at = static_cast<ParticleId>(400 * rock) + i;
-      weakest = std::min(weakest, strength_factor({1, 1, 0.4, 1.6}, 1, rock, at, at + 1));
+      weakest = std::min(weakest, strength_factor(TruncatedNormal{1, 1, 0.4, 1.6}, 1, rock, at, at + 1));
     }
     sum += weakest;
   }
@@ -103,7 +103,7 @@ void weakest_bond(Recorder& out) {
 
 /// A function of seed, rock and the pair of particles and of nothing else.
 void keyed(Recorder& out) {
-  const StrengthScatter s{1, 0.2, 0.4, 1.6};
+  const TruncatedNormal s{1, 0.2, 0.4, 1.6};
   const double one = strength_factor(s, 42, 7, 100, 200);
   out.absolute("ends-swapped", strength_factor(s, 42, 7, 200, 100) - one, 0, {0, 0}, "the same bond");
   double same = 0;
@@ -112,7 +112,8 @@ void keyed(Recorder& out) {
   same += strength_factor(s, 42, 7, 100, 201) == one;
   same += strength_factor(s, 42 + (std::uint64_t{1} << 32), 7, 100, 200) == one;
   out.absolute("others-that-agree", same, 0, {0, 0}, "another seed, rock or bond");
-  out.absolute("no-scatter", strength_factor({1.1, 0, 0.4, 1.6}, 42, 7, 100, 200), 1.1, {0, 0}, "the mean");
+  out.absolute("no-scatter", strength_factor(TruncatedNormal{1.1, 0, 0.4, 1.6}, 42, 7, 100, 200), 1.1, {0, 0},
+               "the mean");
 }
 
 const std::array<Case, 4> cases{{

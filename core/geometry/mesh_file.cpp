@@ -19,11 +19,11 @@ std::string lower_extension(const std::string& path) {
   return end;
 }
 
+}  // namespace
+
 std::string count_of(Index n, const std::string& thing) {
   return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
 }
-
-}  // namespace
 
 std::string read_bytes(const std::string& path) {
   std::error_code error;
@@ -53,28 +53,6 @@ ReadMesh read_mesh(const std::string& path) {
     read.notes.push_back(path + ": " + count_of(dropped.flat, "triangle") + " without area dropped");
   if (dropped.repeated > 0)
     read.notes.push_back(path + ": " + count_of(dropped.repeated, "repeated triangle") + " dropped");
-  return read;
-}
-
-ReadMesh read_solid(const std::string& path) {
-  ReadMesh read = read_mesh(path);
-  const Index turned = turn_outwards(read.mesh);
-  const EdgeCheck check = check_edges(read.mesh);
-  const std::string accepted = "; a rock is one closed surface, so every edge has two triangles";
-  if (check.open > 0)
-    throw BadInput(path + ": the surface is open, with " + count_of(check.open, "open edge") + accepted);
-  if (check.crowded > 0) {
-    throw BadInput(path + ": " + count_of(check.crowded, "edge") + " with more than two triangles" + accepted);
-  }
-  if (check.contradictory > 0) throw BadInput(path + ": the surface has only one side" + accepted);
-  if (check.bodies != 1) throw BadInput(path + ": " + std::to_string(check.bodies) + " separate bodies" + accepted);
-
-  const Box box = bounding_box(read.mesh);
-  const double diagonal = norm(box.high - box.low);
-  if (!(mass_properties(read.mesh).volume > 1e-9 * diagonal * diagonal * diagonal)) {
-    throw BadInput(path + ": the surface encloses no volume" + accepted);
-  }
-  if (turned > 0) read.notes.push_back(path + ": " + count_of(turned, "triangle") + " turned to face outwards");
   return read;
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/shapes.hpp"
 
+#include "core/base/errors.hpp"
 #include "core/geometry/hull.hpp"
+#include "core/geometry/rough_surface.hpp"
 #include "core/geometry/sieve_size.hpp"
 #include "core/math/random.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,13 +29,25 @@ RockShape make_shape(const TriangleMesh& solid) {
   return shape;
 }
 
-RockShape procedural_shape(std::uint64_t seed, std::uint64_t number) {
+void check_style(const ShapeStyle& style) {
+  for (const ShapeStyle::Interval& ratio : {style.elongation, style.flatness}) {
+    if (!(ratio.low > 0 && ratio.low <= ratio.high && ratio.high <= 1))
+      throw BadInput("rocks.shapes: elongation and flatness must be intervals within 0 to 1");
+  }
+  if (!(style.angularity >= 0 && style.angularity <= 1)) throw BadInput("rocks.shapes.angularity must be 0 to 1");
+  if (!(style.roughness >= 0 && style.roughness <= 0.3)) throw BadInput("rocks.shapes.roughness must be 0 to 0.3");
+}
+
+RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const ShapeStyle& style) {
   std::uint32_t draws = 0;
   const auto draw = [&](double low, double high) {
     return low + (high - low) * uniform(seed, Stream::shape, number, draws++);
   };
-  const int count = static_cast<int>(draw(16, 33));
-  const double b = draw(0.65, 0.95), c = b * draw(0.65, 0.95);
+  // 16 points at the middle of the scale, 2.5 times as many or as few at its ends.
+  const double fewest = std::round(16 * std::pow(2.5, 1 - 2 * style.angularity));
+  const int count = static_cast<int>(draw(fewest, 2 * fewest + 1));
+  const double b = draw(style.elongation.low, style.elongation.high);
+  const double c = b * draw(style.flatness.low, style.flatness.high);
   std::vector<Vec3d> points;
   for (int k = 0; k < count; ++k) {
     // Fibonacci lattice on the sphere, each point moved by up to half the spacing.
@@ -44,7 +59,48 @@ RockShape procedural_shape(std::uint64_t seed, std::uint64_t number) {
     p = (draw(0.85, 1.0) / norm(p)) * p;
     points.push_back({p.x, b * p.y, c * p.z});
   }
-  return make_shape(convex_hull(points));
+  const TriangleMesh hull = convex_hull(points);
+  if (style.roughness == 0) return make_shape(hull);
+  const TriangleMesh centred = moved(hull, mass_properties(hull).centroid, 1);
+  return make_shape(roughened(centred, style.roughness, seed, number, draws));
+}
+
+RockShape cylinder_shape(double slenderness) {
+  constexpr Index sides = 64;
+  // As large a section as the circle of diameter 1.
+  const double corner = std::sqrt(std::numbers::pi / 2 / (sides * std::sin(2 * std::numbers::pi / sides)));
+  TriangleMesh prism{{{0, 0, 0}, {0, 0, slenderness}}, {}};
+  for (Index k = 0; k < sides; ++k) {
+    const double turn = 2 * std::numbers::pi * k / sides, x = corner * std::cos(turn), y = corner * std::sin(turn);
+    prism.vertices.push_back({x, y, 0});
+    prism.vertices.push_back({x, y, slenderness});
+  }
+  for (Index k = 0; k < sides; ++k) {
+    const Index low = 2 + 2 * k, high = low + 1, next_low = 2 + 2 * ((k + 1) % sides), next_high = next_low + 1;
+    prism.triangles.push_back({0, next_low, low});
+    prism.triangles.push_back({1, high, next_high});
+    prism.triangles.push_back({low, next_low, next_high});
+    prism.triangles.push_back({low, next_high, high});
+  }
+  return make_shape(prism);
+}
+
+TriangleMesh coarse_polyhedron(const TriangleMesh& scan, int corners) {
+  const TriangleMesh hull = convex_hull(scan.vertices);
+  if (static_cast<int>(hull.vertices.size()) <= corners) return hull;
+  std::vector<bool> kept(hull.vertices.size(), false);
+  for (int k = 0; k < corners; ++k) {
+    const double z = 1 - (2 * k + 1.0) / corners, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - z * z);
+    const Vec3d d{r * std::cos(turn), r * std::sin(turn), z};
+    const auto further = [&](const Vec3d& p, const Vec3d& q) { return dot(p, d) < dot(q, d); };
+    kept[std::max_element(hull.vertices.begin(), hull.vertices.end(), further) - hull.vertices.begin()] = true;
+  }
+  std::vector<Vec3d> points;
+  for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
+    if (kept[v]) points.push_back(hull.vertices[v]);
+  }
+  return convex_hull(points);
 }
 
 }  // namespace gyro

@@ -18,10 +18,34 @@ struct RockShape {
 /// Brings a solid mesh into that form. @param solid closed, normals outwards, of positive volume
 RockShape make_shape(const TriangleMesh& solid);
 
-/// A random convex polyhedron like crushed rock: the hull of 16 to 32 points, evenly spread on an
-/// ellipsoid and jittered along it and across it. Axis ratios b/a and c/b are uniform in
-/// 0.65 to 0.95, which spans the elongation and flatness of crushed aggregate.
+/// How procedural rocks look. The defaults are those of crushed aggregate.
+struct ShapeStyle {
+  struct Interval {
+    double low, high;
+  };
+  Interval elongation{0.65, 0.95};  ///< intermediate / long axis b/a of the ellipsoid behind the rock, uniform [-]
+  Interval flatness{0.65, 0.95};    ///< short / intermediate axis c/b, uniform [-]
+  /// 0: rounded, hulls of 40 to 80 points; 0.5: of 16 to 32; 1: sharp, of 6 to 13.
+  double angularity = 0.5;
+  double roughness = 0;  ///< deviation of the surface from the polyhedron / radius; 0 leaves flat faces [-]
+};
+
+/// @throws BadInput intervals not within (0, 1] or falling, angularity not in [0, 1], roughness not in [0, 0.3]
+void check_style(const ShapeStyle& style);
+
+/// A random polyhedron like crushed rock: the hull of points that are evenly spread on an ellipsoid and
+/// jittered along it and across it, and roughened if the style says so.
 /// @param number the shape's number under this seed
-RockShape procedural_shape(std::uint64_t seed, std::uint64_t number);
+RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const ShapeStyle& style = {});
+
+/// A cylinder, as laboratories cut them: a prism of 64 sides with the section of the circle. Its axis is x if it is
+/// longer than 0.87 diameters, else z, as principal axes go.
+/// @param slenderness length / diameter, above 0
+RockShape cylinder_shape(double slenderness);
+
+/// The convex polyhedron of at most so many corners (at least 4 remain) around a scan: the hull of those of its
+/// points that are outermost in evenly spread directions. The boundary of the Delaunay triangulation of
+/// all points is the hull, which is what many corners give.
+TriangleMesh coarse_polyhedron(const TriangleMesh& scan, int corners);
 
 }  // namespace gyro

@@ -21,10 +21,15 @@ struct ReadMesh {
 /// @throws BadInput missing, unreadable, truncated or empty file; numbers that are not finite
 ReadMesh read_mesh(const std::string& path);
 
-/// Reads a mesh that must be one closed body, as a rock is. Triangles that run the wrong way
-/// round are turned, so that all normals point outwards; this is noted.
-/// @throws BadInput as read_mesh; open edges, edges of more than two triangles, several bodies, no volume
+/// Reads a mesh that must be one closed body, as a rock is, and repairs what scans suffer from, each with a note:
+/// vertices up to 1e-4 of the diagonal apart are welded where that closes the surface, floating specks (below 1 % of
+/// the volume) are dropped, triangles that run the wrong way round are turned so that all normals point outwards, holes
+/// of up to 1 % of the surface are closed.
+/// @throws BadInput as read_mesh; larger holes, edges of more than two triangles, several bodies, no volume
 ReadMesh read_solid(const std::string& path);
+
+/// "1 hole", "2 holes".
+std::string count_of(Index n, const std::string& thing);
 
 /// The parsers behind it, on the bytes of a file. @param name for messages
 /// @throws BadInput

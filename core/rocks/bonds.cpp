@@ -10,19 +10,28 @@
 namespace gyro {
 namespace {
 
-double bond_radius(const BondRule& rule, double smaller) {
-  if (const auto* relative = std::get_if<RelativeBondRadius>(&rule.radius)) return relative->factor * smaller;
-  return std::get<AbsoluteBondRadius>(rule.radius).radius;
+double section_radius(const RelativeBondRadius& rule, double ri, double rj) {
+  return rule.factor * std::min(ri, rj);
+}
+double section_radius(const AbsoluteBondRadius& rule, double, double) {
+  return rule.radius;
+}
+double section_radius(const ContactAreaBond& rule, double ri, double rj) {
+  return std::sqrt(rule.factor) * 2 * ri * rj / (ri + rj);
 }
 
 }  // namespace
+
+double bond_radius(const BondRule& rule, double ri, double rj) {
+  return std::visit([&](const auto& r) { return section_radius(r, ri, rj); }, rule.radius);
+}
 
 void check_rule(const BondRule& rule) {
   if (!(rule.gap >= 0 && rule.gap < 1)) {
     throw BadInput("bonds.gap is " + std::to_string(rule.gap) +
                    "; accepted is 0 to below 1, in smaller particle radii");
   }
-  const double radius = bond_radius(rule, 1);
+  const double radius = bond_radius(rule, 1, 1);
   if (!(std::isfinite(radius) && radius > 0)) throw BadInput("bonds.radius must be a positive number");
 }
 
@@ -42,7 +51,7 @@ std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const st
       if (centres[order[b]].x - centres[order[a]].x > (1 + rule.gap) * radii[order[a]] + largest) break;
       const double length = norm(centres[j] - centres[i]), smaller = std::min(radii[i], radii[j]);
       if (length - radii[i] - radii[j] < rule.gap * smaller) {
-        bonds.push_back({i, j, length, bond_radius(rule, smaller)});
+        bonds.push_back({i, j, length, bond_radius(rule, radii[i], radii[j])});
       }
     }
   }

@@ -17,14 +17,23 @@ struct AbsoluteBondRadius {
   double radius = 0;
 };
 
+/// Section of the bond = factor x pi R_h^2, R_h = 2 Ri Rj/(Ri + Rj) the harmonic mean radius: the area of a Hertz
+/// contact goes as R_h, at an overlap that goes as R_h, hence as R_h^2. Between equal spheres R_b = sqrt(factor) R.
+struct ContactAreaBond {
+  double factor = 0.25;
+};
+
 /// Which neighbours are bonded, and how thick the bonds are.
 struct BondRule {
   double gap = 0.05;  ///< bonded if (distance of surfaces) < gap x smaller radius [-]
-  std::variant<RelativeBondRadius, AbsoluteBondRadius> radius;
+  std::variant<RelativeBondRadius, AbsoluteBondRadius, ContactAreaBond> radius;
 };
 
 /// @throws BadInput gap negative or not below 1, bond radius not positive
 void check_rule(const BondRule& rule);
+
+/// Radius of the bond between particles of radii ri and rj [m].
+double bond_radius(const BondRule& rule, double ri, double rj);
 
 /// The bonds of a set of spheres, sorted by (i, j).
 std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const std::vector<double>& radii,

@@ -16,7 +16,7 @@ namespace gyro {
 namespace {
 
 constexpr std::string_view mark = "gyrosim rock library\n";
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 
 class Writer {
  public:
@@ -82,7 +82,7 @@ void visit_fields(Archive& archive, Rock& rock) {
   archive(rock.centres), archive(rock.radii), archive(rock.particle_density);
   archive(rock.bonds), archive(rock.colour_begin), archive(rock.bounding_radius);
   archive(rock.packing_fraction), archive(rock.coordination);
-  archive(rock.mass_error), archive(rock.inertia_error), archive(rock.critical_step);
+  archive(rock.mass_error), archive(rock.inertia_error), archive(rock.centre_error), archive(rock.critical_step);
   archive(rock.hull_vertices), archive(rock.hull_faces);
 }
 

@@ -4,18 +4,21 @@
 #include "core/base/errors.hpp"
 #include "core/math/quat.hpp"
 #include "core/math/random.hpp"
-#include "core/rocks/packing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <sstream>
 #include <string>
 
 namespace gyro {
 namespace {
 
 constexpr int cuts = 16, most_cuts = 64;  // more where few particles seldom hold together
+constexpr int cuts_of_many = 4;           // where chance evens out by itself
+constexpr double many = 3000;             // particles
 /// A cut that loses more than this share of its spheres is no rock.
 constexpr double least_kept = 0.8;
 /// Draws up to here made the packing itself.
@@ -45,21 +48,23 @@ Cut draw_cut(const Packing& packing, std::uint64_t seed, std::uint64_t rock, int
   return cut;
 }
 
-/// Centres inside the shape, in its frame. @param radius of the spheres, in the shape's unit
-std::vector<Vec3d> cut_out(const Mould& mould, const Packing& packing, const Cut& cut, double radius) {
+/// Spheres whose centres lie inside the shape, in its frame. @param unit of the packing, in the shape's unit
+Filling cut_out(const Mould& mould, const Packing& packing, const Cut& cut, double unit) {
   double reach2 = 0;
   for (const Vec3d& v : mould.shape.surface.vertices) reach2 = std::max(reach2, norm2(v));
-  const double reach = std::sqrt(reach2) / radius, side = packing.side;
-  std::vector<Vec3d> found;
-  for (const Vec3d& c : packing.centres) {
-    const Vec3d d = c - cut.offset;
+  const double reach = std::sqrt(reach2) / unit, side = packing.side;
+  Filling found;
+  for (std::size_t k = 0; k < packing.centres.size(); ++k) {
+    const Vec3d d = packing.centres[k] - cut.offset;
     const auto first = [&](double x) { return x + side * std::ceil((-reach - x) / side); };
     for (double x = first(d.x); x <= reach; x += side) {
       for (double y = first(d.y); y <= reach; y += side) {
         for (double z = first(d.z); z <= reach; z += side) {
           if (x * x + y * y + z * z > reach * reach) continue;
-          const Vec3d p = radius * rotate_back(cut.turn, Vec3d{x, y, z});
-          if (mould.inside.contains(p)) found.push_back(p);
+          const Vec3d p = unit * rotate_back(cut.turn, Vec3d{x, y, z});
+          if (!mould.inside.contains(p)) continue;
+          found.centres.push_back(p);
+          found.radii.push_back(unit * packing.radii[k]);
         }
       }
     }
@@ -80,13 +85,27 @@ std::uint32_t morton_code(const Vec3d& p, double half_side) {
   return (bits(p.x) << 2) | (bits(p.y) << 1) | bits(p.z);
 }
 
+/// Some spheres of a filling, in the order of the list.
+Filling selected(const Filling& filling, const std::vector<Index>& list) {
+  Filling some;
+  for (const Index k : list) {
+    some.centres.push_back(filling.centres[k]);
+    some.radii.push_back(filling.radii[k]);
+  }
+  return some;
+}
+
 /// Neighbours in space become neighbours in memory.
-void sort_for_locality(std::vector<Vec3d>& centres) {
+Filling sorted_for_locality(const Filling& filling) {
   double half = 0;
-  for (const Vec3d& p : centres) half = std::max({half, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (half == 0) return;
-  std::stable_sort(centres.begin(), centres.end(),
-                   [&](const Vec3d& a, const Vec3d& b) { return morton_code(a, half) < morton_code(b, half); });
+  for (const Vec3d& p : filling.centres) half = std::max({half, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (half == 0) return filling;
+  std::vector<std::uint32_t> code;
+  for (const Vec3d& p : filling.centres) code.push_back(morton_code(p, half));
+  std::vector<Index> order(filling.centres.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return code[a] < code[b]; });
+  return selected(filling, order);
 }
 
 /// Largest relative error of mass (counted twice: it is the coarsest measure) and principal moments against
@@ -98,6 +117,56 @@ double misfit(const Mould& mould, const Filling& filling, double fraction) {
   const Vec3d want = mould.shape.inertia;
   return std::max({2 * std::abs(mass / fraction - 1), std::abs(got.x / want.x - 1), std::abs(got.y / want.y - 1),
                    std::abs(got.z / want.z - 1)});
+}
+
+/// The best of many cuts, or nothing if none holds together. @param unit of the packing, in the shape's unit
+Filling best_cut(const Mould& mould, const Packing& packing, double unit, const BondRule& bonds, const FillJob& job) {
+  const double expected = static_cast<double>(packing.centres.size()) / cube(packing.side * unit);
+  const int enough = expected < many ? cuts : cuts_of_many;
+  Filling best;
+  double best_misfit = std::numeric_limits<double>::infinity();
+  for (int attempt = 0; attempt < enough || (best.centres.empty() && attempt < most_cuts); ++attempt) {
+    const Cut cut = draw_cut(packing, job.seed, job.rock, attempt);
+    const Filling whole = sorted_for_locality(cut_out(mould, packing, cut, unit));
+    const auto found = static_cast<Index>(whole.centres.size());
+    const std::vector<Index> piece = largest_piece(make_bonds(whole.centres, whole.radii, bonds), found);
+    if (piece.empty() || static_cast<double>(piece.size()) < least_kept * found) continue;
+    Filling filling = selected(whole, piece);
+    const double m = misfit(mould, filling, packing.fraction);
+    if (m < best_misfit) best = std::move(filling), best_misfit = m;
+  }
+  return best;
+}
+
+std::string in_mm(double length) {
+  std::ostringstream text;
+  text << 1e3 * length << " mm";
+  return text.str();
+}
+
+void check(const MonoFill& mono) {
+  if (mono.ratio >= least_fill_ratio && mono.ratio <= greatest_fill_ratio) return;
+  throw BadInput("rocks.fill ratio is " + std::to_string(mono.ratio) + "; accepted is 2 to 50");
+}
+
+void check(const RangeFill& range) {
+  if (!(range.smallest > 0 && range.largest > range.smallest &&
+        range.largest <= greatest_size_ratio * range.smallest)) {
+    throw BadInput("rocks.fill.sizes are " + in_mm(range.smallest) + " to " + in_mm(range.largest) +
+                   "; accepted is a largest of up to 8 times the smallest");
+  }
+  if (!(range.exponent > 0 && range.exponent <= 5))
+    throw BadInput("rocks.fill.exponent is " + std::to_string(range.exponent) + "; accepted is above 0 to 5");
+}
+
+Filling cut_for(const MonoFill& mono, const Mould& mould, const BondRule& bonds, const FillJob& job) {
+  return best_cut(mould, rock_packing(), std::cbrt(6 / std::numbers::pi) / (2 * mono.ratio), bonds, job);
+}
+
+Filling cut_for(const RangeFill& range, const Mould& mould, const BondRule& bonds, const FillJob& job) {
+  const Packing& packing = rock_packing(grading_of(range, job.diameter));
+  const double side_of_cube = std::cbrt(std::numbers::pi / 6) * job.diameter;  // of the rock's volume [m]
+  return best_cut(mould, packing, range.smallest / 2 / side_of_cube, bonds, job);
 }
 
 }  // namespace
@@ -132,31 +201,38 @@ std::array<double, 6> sphere_inertia(const std::vector<Vec3d>& centres, const st
   return t;
 }
 
-Filling fill_mono(const Mould& mould, double ratio, const BondRule& rule, std::uint64_t seed, std::uint64_t rock) {
-  if (!(ratio >= least_fill_ratio && ratio <= greatest_fill_ratio)) {
-    throw BadInput("rocks.fill ratio is " + std::to_string(ratio) + "; accepted is 2 to 50");
+void check_rule(const FillRule& rule) {
+  std::visit([](const auto& r) { check(r); }, rule);
+}
+
+Grading grading_of(const RangeFill& range, double diameter) {
+  constexpr double largest_share = 1.0 / 3;  // of the rock's diameter
+  constexpr double classes = 4;              // for each factor 2
+  const double largest = std::min(range.largest, largest_share * diameter);
+  if (largest < range.smallest) {
+    throw BadInput("a rock of " + in_mm(diameter) + " is too small for particles from " + in_mm(range.smallest) +
+                   " on; accepted are rocks of at least three times the smallest of rocks.fill.sizes");
   }
-  const Packing& packing = rock_packing();
-  const double radius = std::cbrt(6 / std::numbers::pi) / (2 * ratio);
-  Filling best;
-  double best_misfit = std::numeric_limits<double>::infinity();
-  for (int attempt = 0; attempt < cuts || (best.centres.empty() && attempt < most_cuts); ++attempt) {
-    std::vector<Vec3d> centres = cut_out(mould, packing, draw_cut(packing, seed, rock, attempt), radius);
-    sort_for_locality(centres);
-    const std::vector<double> radii(centres.size(), radius);
-    const std::vector<Index> piece =
-        largest_piece(make_bonds(centres, radii, rule), static_cast<Index>(centres.size()));
-    if (piece.empty() || static_cast<double>(piece.size()) < least_kept * static_cast<double>(centres.size())) continue;
-    Filling filling;
-    for (const Index p : piece) filling.centres.push_back(centres[p]);
-    filling.radii.assign(piece.size(), radius);
-    const double m = misfit(mould, filling, packing.fraction);
-    if (m < best_misfit) best = std::move(filling), best_misfit = m;
+  const double below = std::ceil(classes * std::log2(range.largest / largest) - 1e-9);
+  const double ratio = range.largest / range.smallest * std::exp2(-std::max(0.0, below) / classes);
+  const Grading grading{std::max(1.0, ratio), range.exponent};
+  const double count = 0.7 * cube(diameter / range.smallest) / mean_cubed_radius(grading);
+  if (count > most_particles) {
+    throw BadInput("a rock of " + in_mm(diameter) + " would hold about " + std::to_string(std::lround(count)) +
+                   " particles; accepted are 100000, so larger rocks.fill.sizes or smaller rocks");
   }
+  return grading;
+}
+
+Filling fill(const Mould& mould, const FillRule& rule, const BondRule& bonds, const FillJob& job) {
+  check_rule(rule);
+  Filling best = std::visit([&](const auto& r) { return cut_for(r, mould, bonds, job); }, rule);
   if (best.centres.empty()) {
-    throw BadInput("the particles of a rock do not hold together at fill ratio " + std::to_string(ratio) +
-                   " and bonds.gap " + std::to_string(rule.gap) +
-                   ": its shape is too thin or the gap too small; accepted are larger ratios and gaps, 0.05 is usual");
+    const auto* mono = std::get_if<MonoFill>(&rule);
+    throw BadInput("the particles of a rock do not hold together" +
+                   (mono ? " at fill ratio " + std::to_string(mono->ratio) : std::string()) + " and bonds.gap " +
+                   std::to_string(bonds.gap) + ": its shape is too thin or the gap too small; accepted are " +
+                   (mono ? "larger ratios" : "smaller particles") + " and larger gaps, 0.05 is usual");
   }
   return best;
 }

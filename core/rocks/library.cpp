@@ -3,7 +3,6 @@
 
 #include "core/geometry/stl_file.hpp"
 #include "core/rocks/cache.hpp"
-#include "core/rocks/fill.hpp"
 #include "core/rocks/recipe.hpp"
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <exception>
 #include <filesystem>
 #include <numbers>
+#include <set>
 
 namespace gyro {
 namespace {
@@ -28,12 +28,19 @@ std::vector<NamedMould> make_moulds(const LibraryRecipe& recipe, std::vector<std
   if (const auto* procedural = std::get_if<ProceduralShapes>(&recipe.shapes)) {
     const int used = std::min(procedural->count, recipe.samples);
     for (int k = 0; k < used; ++k) {
-      moulds.push_back({"procedural-" + std::to_string(k + 1), Mould(procedural_shape(recipe.seed, k))});
+      moulds.push_back(
+          {"procedural-" + std::to_string(k + 1), Mould(procedural_shape(recipe.seed, k, procedural->style))});
     }
     return moulds;
   }
-  for (const std::string& path : std::get<ShapeFiles>(recipe.shapes).paths) {
+  if (const auto* cylinder = std::get_if<CylinderSpecimen>(&recipe.shapes)) {
+    moulds.push_back({"cylinder", Mould(cylinder_shape(cylinder->slenderness))});
+    return moulds;
+  }
+  const auto& files = std::get<ShapeFiles>(recipe.shapes);
+  for (const std::string& path : files.paths) {
     ReadMesh read = read_solid(path);
+    if (files.corners > 0) read.mesh = coarse_polyhedron(read.mesh, files.corners);
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
     moulds.push_back({std::filesystem::path(path).stem().string(), Mould(make_shape(read.mesh))});
   }
@@ -70,11 +77,13 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
   const double scale = std::cbrt(rock.solid_volume);
   rock.sieve_size = scale * mould.shape.sieve_size;
 
-  const Filling filling = fill_mono(mould, recipe.fill_ratio, recipe.bond_rule, recipe.seed, number);
+  const Filling filling =
+      fill(mould, recipe.fill, recipe.bond_rule, {diameter, recipe.seed, static_cast<std::uint64_t>(number)});
   const Vec3d middle = centre_of_mass(filling.centres, filling.radii);
   for (const Vec3d& c : filling.centres) rock.centres.push_back(scale * (c - middle));
   for (const double r : filling.radii) rock.radii.push_back(scale * r);
   const TriangleMesh surface = moved(mould.shape.preview, middle, scale);
+  rock.centre_error = scale * norm(middle) / diameter;
   rock.hull_vertices = surface.vertices;
   rock.hull_faces = surface.triangles;
 
@@ -87,22 +96,39 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
   return rock;
 }
 
-RockLibrary build(const LibraryRecipe& recipe, const SizeDistribution& sizes) {
-  RockLibrary library;
-  const std::vector<NamedMould> moulds = make_moulds(recipe, library.notes);
-  library.rocks.resize(recipe.samples);
+/// Calls work(k) for k = count - 1, ..., 0: the largest rocks first, so that no thread is left alone with one.
+template <class Work>
+void for_each_downwards(int count, const Work& work) {
   std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic)
-  for (int k = 0; k < recipe.samples; ++k) {
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int done = 0; done < count; ++done) {
     try {
-      const double diameter = sizes.size_at((k + 0.5) / recipe.samples);
-      library.rocks[k] = make_rock(recipe, moulds[k % moulds.size()], diameter, k);
+      work(count - 1 - done);
     } catch (...) {
 #pragma omp critical(gyro_library_failure)
       failure = std::current_exception();
     }
   }
   if (failure) std::rethrow_exception(failure);
+}
+
+/// Makes the packings that the rocks will be cut from, so that no two of them wait for the same one.
+void make_packings(const RangeFill& range, const std::vector<double>& diameters) {
+  std::set<Grading> gradings;
+  for (const double diameter : diameters) gradings.insert(grading_of(range, diameter));
+  const std::vector<Grading> list(gradings.begin(), gradings.end());
+  for_each_downwards(static_cast<int>(list.size()), [&](int k) { rock_packing(list[k]); });
+}
+
+RockLibrary build(const LibraryRecipe& recipe, const SizeDistribution& sizes) {
+  RockLibrary library;
+  const std::vector<NamedMould> moulds = make_moulds(recipe, library.notes);
+  std::vector<double> diameters;
+  for (int k = 0; k < recipe.samples; ++k) diameters.push_back(sizes.size_at((k + 0.5) / recipe.samples));
+  if (const auto* range = std::get_if<RangeFill>(&recipe.fill)) make_packings(*range, diameters);
+  library.rocks.resize(recipe.samples);
+  for_each_downwards(recipe.samples,
+                     [&](int k) { library.rocks[k] = make_rock(recipe, moulds[k % moulds.size()], diameters[k], k); });
   return library;
 }
 
@@ -122,6 +148,17 @@ RockLibrary make_library(const LibraryRecipe& recipe, const std::string& cache_f
   }
   library->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return std::move(*library);
+}
+
+double cylinder_diameter(const CylinderSpecimen& specimen, double sphere) {
+  return sphere * std::cbrt(2 / (3 * specimen.slenderness));  // pi/4 D^2 (slenderness D) = pi/6 sphere^3
+}
+
+double swell_of_crumbled(const RockLibrary& library) {
+  constexpr double loose_bed = 0.60;  // of equal spheres poured; a range of sizes lies denser
+  double sum = 0;
+  for (const RockTemplate& rock : library.rocks) sum += rock.packing_fraction;
+  return library.rocks.empty() ? 0 : sum / static_cast<double>(library.rocks.size()) / loose_bed;
 }
 
 std::string default_cache_folder() {

@@ -3,6 +3,7 @@
 
 #include "core/dem/scene.hpp"
 #include "core/rocks/bonds.hpp"
+#include "core/rocks/fill.hpp"
 #include "core/rocks/rock_template.hpp"
 #include "core/rocks/size_distribution.hpp"
 #include "core/rocks/stability.hpp"
@@ -17,19 +18,29 @@ namespace gyro {
 /// So many random polyhedra (core/geometry/shapes.hpp).
 struct ProceduralShapes {
   int count = 8;
+  ShapeStyle style = {};
 };
 
 /// Closed meshes, STL or OBJ; their unit does not matter, the size law gives the size.
 struct ShapeFiles {
   std::vector<std::string> paths;
+  int corners = 0;  ///< of the polyhedron that stands for a scan; 0: the scan itself
 };
+
+/// Cylinders of one proportion, length / diameter: specimens of laboratories.
+struct CylinderSpecimen {
+  double slenderness = 2;
+};
+
+/// Diameter of a cylinder that has the volume of a sphere [m]. @param sphere its diameter [m]
+double cylinder_diameter(const CylinderSpecimen& specimen, double sphere);
 
 /// What a library is made of.
 struct LibraryRecipe {
-  std::variant<ProceduralShapes, ShapeFiles> shapes;
+  std::variant<ProceduralShapes, ShapeFiles, CylinderSpecimen> shapes;
   SizeLaw sizes;
   int samples = 24;                ///< rocks in the library; each stands for the same share of the feed's mass
-  double fill_ratio = 6;           ///< diameter of the rock / diameter of its particles
+  FillRule fill;                   ///< particles of a rock
   double rock_density = 0;         ///< of solid rock [kg/m3]
   bool compensated = true;         ///< particles are denser than rock, so that the rock weighs what solid rock weighs
   BondRule bond_rule;              ///< who is bonded, and how thick
@@ -46,6 +57,11 @@ struct LibraryRecipe {
 /// @param cache_folder empty: no cache
 /// @throws BadInput recipe out of range, or shape files that are no rocks
 RockLibrary make_library(const LibraryRecipe& recipe, const std::string& cache_folder);
+
+/// Loose volume of crumbled rock / volume of solid rock: packing fraction of the particles in the rocks, mean over the
+/// library, whose rocks stand for equal masses, over that of a loose bed of spheres, 0.60. Real broken
+/// rock comes to about 1.7, so a bed of single particles takes too little room: choking and throughput are optimistic.
+double swell_of_crumbled(const RockLibrary& library);
 
 /// $XDG_CACHE_HOME/gyrosim, or $HOME/.cache/gyrosim, or empty if neither is set.
 std::string default_cache_folder();

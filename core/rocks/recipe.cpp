@@ -3,7 +3,6 @@
 
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
-#include "core/rocks/fill.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -12,7 +11,7 @@ namespace gyro {
 namespace {
 
 /// To be raised with every change that makes other rocks from the same recipe.
-constexpr int generator_version = 2;
+constexpr int generator_version = 3;
 constexpr int most_samples = 10000;
 
 class Text {
@@ -45,12 +44,21 @@ void add(Text& text, const GatesGaudinSchuhmann& law) {
 
 void add(Text& text, const ProceduralShapes& shapes) {
   text.word("procedural", std::to_string(shapes.count));
+  const ShapeStyle& style = shapes.style;
+  text.number("elongation from", style.elongation.low), text.number("to", style.elongation.high);
+  text.number("flatness from", style.flatness.low), text.number("to", style.flatness.high);
+  text.number("angularity", style.angularity), text.number("roughness", style.roughness);
 }
 
 void add(Text& text, const ShapeFiles& shapes) {
+  text.word("corners", std::to_string(shapes.corners));
   for (const std::string& path : shapes.paths) {  // the path itself too: it is in the rocks' names
     text.word("file " + path, fnv1a_128(read_bytes(path)));
   }
+}
+
+void add(Text& text, const CylinderSpecimen& specimen) {
+  text.number("cylinder", specimen.slenderness);
 }
 
 void add(Text& text, const RelativeBondRadius& radius) {
@@ -58,6 +66,18 @@ void add(Text& text, const RelativeBondRadius& radius) {
 }
 void add(Text& text, const AbsoluteBondRadius& radius) {
   text.number("absolute bond radius", radius.radius);
+}
+
+void add(Text& text, const ContactAreaBond& rule) {
+  text.number("bond area", rule.factor);
+}
+
+void add(Text& text, const MonoFill& fill) {
+  text.number("fill ratio", fill.ratio);
+}
+void add(Text& text, const RangeFill& fill) {
+  text.number("fill smallest", fill.smallest), text.number("largest", fill.largest);
+  text.number("exponent", fill.exponent);
 }
 
 void check_not_negative(const std::string& name, double value) {
@@ -71,13 +91,18 @@ void check_recipe(const LibraryRecipe& recipe) {
     if (procedural->count < 1 || procedural->count > most_samples) {
       throw BadInput("rocks.shapes: the number of procedural shapes must be 1 to 10000");
     }
-  } else if (std::get<ShapeFiles>(recipe.shapes).paths.empty()) {
-    throw BadInput("rocks.shapes: the list of files is empty; accepted are STL and OBJ files");
+    check_style(procedural->style);
+  } else if (const auto* cylinder = std::get_if<CylinderSpecimen>(&recipe.shapes)) {
+    if (!(cylinder->slenderness >= 0.1 && cylinder->slenderness <= 10))
+      throw BadInput("rocks.shapes.cylinder must be 0.1 to 10");
+  } else {
+    const auto& files = std::get<ShapeFiles>(recipe.shapes);
+    if (files.paths.empty()) throw BadInput("rocks.shapes: the list of files is empty; accepted are STL and OBJ files");
+    if (files.corners != 0 && (files.corners < 8 || files.corners > most_samples))
+      throw BadInput("rocks.shapes.corners must be 8 to 10000");
   }
   if (recipe.samples < 1 || recipe.samples > most_samples) throw BadInput("rocks.sizes.samples must be 1 to 10000");
-  if (!(recipe.fill_ratio >= least_fill_ratio && recipe.fill_ratio <= greatest_fill_ratio)) {
-    throw BadInput("rocks.fill ratio is " + std::to_string(recipe.fill_ratio) + "; accepted is 2 to 50");
-  }
+  check_rule(recipe.fill);
   if (!(std::isfinite(recipe.rock_density) && recipe.rock_density > 0)) {
     throw BadInput("the rock's density must be a positive number");
   }
@@ -100,7 +125,7 @@ std::string recipe_text(const LibraryRecipe& recipe) {
   std::visit([&](const auto& shapes) { add(text, shapes); }, recipe.shapes);
   std::visit([&](const auto& law) { add(text, law); }, recipe.sizes);
   text.word("samples", std::to_string(recipe.samples));
-  text.number("fill ratio", recipe.fill_ratio);
+  std::visit([&](const auto& fill) { add(text, fill); }, recipe.fill);
   text.number("rock density", recipe.rock_density);
   text.word("density", recipe.compensated ? "compensated" : "plain");
   text.number("gap", recipe.bond_rule.gap);

@@ -33,6 +33,7 @@ struct RockTemplate {
   double coordination = 0;           ///< bonds per particle, times two [-]
   double mass_error = 0;             ///< (mass of particles - mass of solid rock) / mass of solid rock [-]
   double inertia_error = 0;          ///< largest relative error of a principal moment of inertia [-]
+  double centre_error = 0;           ///< distance of the particles' centre of mass from the solid's / diameter [-]
   double critical_step = 0;          ///< stability limit of the damped step map [s], bonds and bed contacts
   std::vector<Vec3d> hull_vertices;  ///< surface of the shape (of a fine scan: its convex hull), for previews
   std::vector<Vec3<Index>> hull_faces;

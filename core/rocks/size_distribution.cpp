@@ -106,6 +106,12 @@ double size_of(const GatesGaudinSchuhmann& law, double p) {
 
 }  // namespace
 
+PassingTable vendor_feed(double feed_opening, double smallest) {
+  if (!(positive(feed_opening) && positive(smallest) && smallest < 0.1 * feed_opening))
+    throw BadInput("vendor's feed: the smallest size must be above 0 and below 0.1 of the feed opening");
+  return {{{smallest, 0}, {0.1 * feed_opening, 0.5}, {0.6 * feed_opening, 0.8}, {0.8 * feed_opening, 1}}};
+}
+
 SizeDistribution::SizeDistribution(SizeLaw law) : law_(std::move(law)) {
   std::visit([](const auto& l) { check(l); }, law_);
 }

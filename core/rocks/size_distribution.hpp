@@ -32,6 +32,12 @@ struct GatesGaudinSchuhmann {
   double smallest;  ///< cut-off, above 0 [m]
 };
 
+/// The feed for which crusher makers state capacities (as in brochures of primary gyratory crushers):
+/// all passes 0.8, 80 % pass 0.6 and 50 % pass 0.1 of the feed opening; straight lines between, from the smallest size
+/// on.
+/// @throws BadInput unless 0 < smallest < 0.1 feed_opening
+PassingTable vendor_feed(double feed_opening, double smallest);
+
 using SizeLaw = std::variant<PassingTable, RosinRammler, GatesGaudinSchuhmann>;
 
 /// Distribution of rock sizes by mass. The size of a rock is the diameter of the sphere of its
@@ -47,6 +53,8 @@ class SizeDistribution {
   double size_at(double p) const;
   double smallest() const { return size_at(0); }
   double largest() const { return size_at(1); }
+  double f80() const { return size_at(0.8); }
+  double f50() const { return size_at(0.5); }
   const SizeLaw& law() const { return law_; }
 
  private:

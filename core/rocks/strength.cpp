@@ -59,7 +59,9 @@ double normal_quantile(double p) {
   return x - miss / (1 + x * miss / 2);
 }
 
-void check_scatter(const StrengthScatter& s) {
+namespace {
+
+void check(const TruncatedNormal& s) {
   const bool finite =
       std::isfinite(s.mean) && std::isfinite(s.deviation) && std::isfinite(s.lower) && std::isfinite(s.upper);
   if (!finite || !(s.deviation >= 0)) throw BadInput("strength scatter: deviation must be a number of at least 0");
@@ -68,12 +70,31 @@ void check_scatter(const StrengthScatter& s) {
   }
 }
 
-double strength_at(const StrengthScatter& s, double p) {
+void check(const WeibullStrength& s) {
+  if (!(std::isfinite(s.mean) && s.mean > 0 && std::isfinite(s.modulus) && s.modulus > 0))
+    throw BadInput("strength scatter: mean and modulus of a Weibull distribution must be positive numbers");
+}
+
+double quantile(const TruncatedNormal& s, double p) {
   if (s.deviation == 0) return s.mean;
   const double low = normal_distribution((s.lower - s.mean) / s.deviation);
   const double high = normal_distribution((s.upper - s.mean) / s.deviation);
   const double x = s.mean + s.deviation * normal_quantile(low + p * (high - low));
   return std::clamp(x, s.lower, s.upper);  // rounding only
+}
+
+double quantile(const WeibullStrength& s, double p) {
+  return s.mean / std::tgamma(1 + 1 / s.modulus) * std::pow(-std::log1p(-p), 1 / s.modulus);
+}
+
+}  // namespace
+
+void check_scatter(const StrengthScatter& scatter) {
+  std::visit([](const auto& s) { check(s); }, scatter);
+}
+
+double strength_at(const StrengthScatter& scatter, double p) {
+  return std::visit([&](const auto& s) { return quantile(s, p); }, scatter);
 }
 
 double strength_factor(const StrengthScatter& s, std::uint64_t seed, RockId rock, ParticleId i, ParticleId j) {

@@ -4,21 +4,38 @@
 #include "core/base/hd.hpp"
 
 #include <cstdint>
+#include <variant>
 
 namespace gyro {
 
 /// Normal distribution of the factor on a bond's strengths, cut off at both ends [-]. A deviation
 /// of zero gives every bond the mean.
-struct StrengthScatter {
+struct TruncatedNormal {
   double mean = 1, deviation = 0;
   double lower = 0, upper = 2;
 };
 
-/// @throws BadInput unless 0 <= lower <= mean <= upper, lower < upper and deviation >= 0, all finite
+/// What the reference paper prints (Xiong et al., Minerals 14 (2024) 774, eq. 8): strength S_c (N + 1) with N
+/// standard normal, read as drawn anew outside the range. Nearly uniform over 0.4 to 1.6, of which 45 % of all draws
+/// are.
+inline TruncatedNormal paper_literal(double lower, double upper) {
+  return {1, 1, lower, upper};
+}
+
+/// Weibull distribution of the factor: P(factor < x) = 1 - exp(-(x/s)^modulus), s = mean/Gamma(1 + 1/modulus).
+struct WeibullStrength {
+  double mean = 1;
+  double modulus = 5;  ///< rocks have 3 to 8 [-]
+};
+
+using StrengthScatter = std::variant<TruncatedNormal, WeibullStrength>;
+
+/// @throws BadInput unless 0 <= lower <= mean <= upper, lower < upper and deviation >= 0, all finite; mean and
+/// modulus positive
 void check_scatter(const StrengthScatter& scatter);
 
-/// The factor that the mass fraction p in (0, 1) of the scatter lies below: the inverse of the
-/// truncated distribution function, exact to about 1e-14.
+/// The factor that the share p in (0, 1) of the scatter lies below: the inverse of the distribution
+/// function, for the truncated normal exact to about 1e-14.
 double strength_at(const StrengthScatter& scatter, double p);
 
 /// Factor on both strengths of the bond between two particles of a rock. A pure function of its

@@ -39,6 +39,19 @@ TEST_CASE("A bond needs a gap below the fraction of the smaller radius") {
   CHECK(make_bonds({{0, 0, 0}, {0, 1.52, 0}}, radii, {0.1, AbsoluteBondRadius{0.7}})[0].radius == 0.7);
 }
 
+TEST_CASE("A bond by contact area has a section that goes as the square of the harmonic mean radius") {
+  const BondRule rule{0.1, ContactAreaBond{0.3}};
+  const auto section = [&](double ri, double rj) {
+    const double b = make_bonds({{0, 0, 0}, {ri + rj, 0, 0}}, {ri, rj}, rule).at(0).radius;
+    return b * b;
+  };
+  CHECK(section(1, 1) == Approx(0.3));
+  CHECK(section(3, 3) == Approx(0.3 * 9));
+  CHECK(section(1, 3) == Approx(0.3 * 1.5 * 1.5));
+  CHECK(section(1e-3, 1e3) == Approx(0.3 * 4e-6));  // the smaller sphere decides
+  CHECK_THROWS_AS(check_rule({0.1, ContactAreaBond{0}}), BadInput);
+}
+
 TEST_CASE("The sweep finds the bonds that all pairs give") {
   const Spheres s = strewn(300);
   const BondRule rule{0.3, RelativeBondRadius{1}};

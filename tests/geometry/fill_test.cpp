@@ -43,7 +43,7 @@ TEST_CASE("Particle counts by fill ratio") {
   const BondRule rule{0.05, RelativeBondRadius{0.5}};
   for (int rock = 0; rock < 12; ++rock) {
     const Mould mould(procedural_shape(1, rock));
-    const Filling f = fill_mono(mould, c.ratio, rule, 42, rock);
+    const Filling f = fill(mould, MonoFill{c.ratio}, rule, {1, 42, static_cast<std::uint64_t>(rock)});
     CAPTURE(c.ratio, rock, f.centres.size());
     CHECK(f.centres.size() >= c.least);
     CHECK(f.centres.size() <= c.most);
@@ -56,7 +56,7 @@ TEST_CASE("Particle counts by fill ratio") {
 
 TEST_CASE("A rock larger than the packing is tiled from it, without overlaps at the seams") {
   const Mould mould(procedural_shape(1, 0));
-  const Filling f = fill_mono(mould, 22, {0.05, RelativeBondRadius{0.5}}, 42, 0);
+  const Filling f = fill(mould, MonoFill{22}, {0.05, RelativeBondRadius{0.5}}, {1, 42, 0});
   CHECK(static_cast<double>(f.centres.size()) == Approx(rock_packing().fraction * 22 * 22 * 22).epsilon(0.01));
   double deepest = 0;
   for (const TemplateBond& b : make_bonds(f.centres, f.radii, {0, RelativeBondRadius{1}})) {
@@ -68,15 +68,15 @@ TEST_CASE("A rock larger than the packing is tiled from it, without overlaps at 
 TEST_CASE("A filling depends on seed and rock only") {
   const Mould mould(procedural_shape(1, 0));
   const BondRule rule{};
-  const Filling a = fill_mono(mould, 6, rule, 42, 3), b = fill_mono(mould, 6, rule, 42, 3);
+  const Filling a = fill(mould, MonoFill{6}, rule, {1, 42, 3}), b = fill(mould, MonoFill{6}, rule, {1, 42, 3});
   REQUIRE(a.centres.size() == b.centres.size());
   for (std::size_t k = 0; k < a.centres.size(); ++k) CHECK(norm(a.centres[k] - b.centres[k]) == 0);
-  CHECK(norm(fill_mono(mould, 6, rule, 42, 4).centres[0] - a.centres[0]) > 0);
+  CHECK(norm(fill(mould, MonoFill{6}, rule, {1, 42, 4}).centres[0] - a.centres[0]) > 0);
 }
 
 TEST_CASE("Neighbours in memory are neighbours in space") {
   const Mould mould(procedural_shape(1, 1));
-  const Filling f = fill_mono(mould, 10, {}, 1, 1);
+  const Filling f = fill(mould, MonoFill{10}, {}, {1, 1, 1});
   double along = 0;
   for (std::size_t k = 1; k < f.centres.size(); ++k) along += norm(f.centres[k] - f.centres[k - 1]);
   // In random order: 36/35 of the rock's radius, the mean distance of two points in a ball, 10 particle radii.
@@ -85,15 +85,15 @@ TEST_CASE("Neighbours in memory are neighbours in space") {
 
 TEST_CASE("Ratios and gaps out of range are refused") {
   const Mould mould(procedural_shape(1, 0));
-  CHECK_THROWS_AS(fill_mono(mould, 1.5, {}, 1, 0), BadInput);
-  CHECK_THROWS_AS(fill_mono(mould, 1e6, {}, 1, 0), BadInput);
-  CHECK_THROWS_AS(fill_mono(mould, NAN, {}, 1, 0), BadInput);
+  CHECK_THROWS_AS(fill(mould, MonoFill{1.5}, {}, {1, 1, 0}), BadInput);
+  CHECK_THROWS_AS(fill(mould, MonoFill{1e6}, {}, {1, 1, 0}), BadInput);
+  CHECK_THROWS_AS(fill(mould, MonoFill{NAN}, {}, {1, 1, 0}), BadInput);
 }
 
 TEST_CASE("A plate thinner than its particles is refused: it would crumble") {
   const Mould plate(make_shape(block({10, 10, 0.1})));
-  CHECK_THROWS_WITH(fill_mono(plate, 4, {}, 1, 0), Catch::Matchers::Contains("do not hold together"));
-  CHECK_NOTHROW(fill_mono(plate, 40, {}, 1, 0));
+  CHECK_THROWS_WITH(fill(plate, MonoFill{4}, {}, {1, 1, 0}), Catch::Matchers::Contains("do not hold together"));
+  CHECK_NOTHROW(fill(plate, MonoFill{40}, {}, {1, 1, 0}));
 }
 
 TEST_CASE("Inertia of two spheres is the dumb-bell's") {

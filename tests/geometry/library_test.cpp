@@ -23,7 +23,7 @@ LibraryRecipe small_recipe() {
   recipe.shapes = ProceduralShapes{3};
   recipe.sizes = PassingTable{{{0.05, 0}, {0.5, 1}}};
   recipe.samples = 5;
-  recipe.fill_ratio = 4;
+  recipe.fill = MonoFill{4};
   recipe.rock_density = 2600;
   recipe.bond_parameters = {1.67e12, 6.67e11, 36e6, 24e6, 0.05};
   recipe.bed = {6, 5e8, 4e8, 0.3, 0.3};
@@ -47,7 +47,7 @@ std::filesystem::path only_file(const TemporaryFolder& folder) {
 
 TEST_CASE("A library has the sizes, masses and frames it promises") {
   LibraryRecipe recipe = small_recipe();
-  recipe.fill_ratio = 6;
+  recipe.fill = MonoFill{6};
   recipe.samples = 8;
   const RockLibrary library = make_library(recipe, "");
   REQUIRE(library.rocks.size() == 8);
@@ -61,6 +61,8 @@ TEST_CASE("A library has the sizes, masses and frames it promises") {
     const double mass = rock.particle_density * sphere_volume(rock.radii);
     CHECK(mass == Approx(2600 * std::numbers::pi / 6 * std::pow(rock.diameter, 3)));
     CHECK(rock.inertia_error < 0.06);
+    CHECK(rock.centre_error > 0);
+    CHECK(rock.centre_error < 0.02);
     CHECK(norm(centre_of_mass(rock.centres, rock.radii)) < 1e-12 * rock.diameter);
     CHECK(rock.packing_fraction > 0.58);
     CHECK(rock.packing_fraction < 0.66);
@@ -148,7 +150,7 @@ TEST_CASE("Rocks from files, also ones that are not convex, and the cache sees t
   write_stl(corner, corner_piece());
   recipe.shapes = ShapeFiles{{corner}};
   recipe.samples = 2;
-  recipe.fill_ratio = 6;
+  recipe.fill = MonoFill{6};
   const RockLibrary library = make_library(recipe, cache.path.string());
   for (const RockTemplate& rock : library.rocks) {
     CHECK_THAT(rock.name, Contains("corner"));
@@ -186,7 +188,7 @@ TEST_CASE("Recipes out of range are refused") {
   refused([](LibraryRecipe& r) { r.shapes = ProceduralShapes{0}; });
   refused([](LibraryRecipe& r) { r.shapes = ShapeFiles{}; });
   refused([](LibraryRecipe& r) { r.shapes = ShapeFiles{{"/nowhere/rock.stl"}}; });
-  refused([](LibraryRecipe& r) { r.fill_ratio = 1; });
+  refused([](LibraryRecipe& r) { r.fill = MonoFill{1}; });
   refused([](LibraryRecipe& r) { r.rock_density = 0; });
   refused([](LibraryRecipe& r) { r.sizes = PassingTable{}; });
   refused([](LibraryRecipe& r) { r.bond_rule.gap = -1; });

@@ -47,6 +47,17 @@ TEST_CASE("Gates-Gaudin-Schuhmann is a power law") {
   CHECK(sizes.passing(0.25) == Approx(std::pow(0.5, 0.7)).epsilon(1e-6));
 }
 
+TEST_CASE("The vendor's feed passes what brochures say") {
+  const SizeDistribution sizes(vendor_feed(1.575, 0.05));
+  CHECK(sizes.largest() == Approx(0.8 * 1.575));
+  CHECK(sizes.f80() == Approx(0.6 * 1.575));
+  CHECK(sizes.f50() == Approx(0.1 * 1.575));
+  CHECK(sizes.smallest() == 0.05);
+  CHECK_THROWS_AS(vendor_feed(1, 0.1), BadInput);
+  CHECK_THROWS_AS(vendor_feed(1, 0), BadInput);
+  CHECK_THROWS_AS(vendor_feed(NAN, 0.1), BadInput);
+}
+
 TEST_CASE("Numbers that make no distribution are refused") {
   const SizeLaw law = GENERATE(
       SizeLaw{PassingTable{}}, SizeLaw{PassingTable{{{0.1, 0}}}}, SizeLaw{PassingTable{{{0.1, 0.1}, {0.2, 1}}}},

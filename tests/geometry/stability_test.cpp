@@ -36,7 +36,8 @@ RockTemplate pair(double radius, double bond) {
 
 /// A procedural rock of particles of one diameter.
 RockTemplate cluster(double ratio, double particle, const BondRule& rule, int number = 0) {
-  const Filling f = fill_mono(Mould(procedural_shape(1, number)), ratio, rule, 42, number);
+  const Filling f =
+      fill(Mould(procedural_shape(1, number)), MonoFill{ratio}, rule, {1, 42, static_cast<std::uint64_t>(number)});
   const double scale = particle / (2 * f.radii[0]);
   std::vector<Vec3d> centres;
   for (const Vec3d& c : f.centres) centres.push_back(scale * c);

@@ -41,7 +41,7 @@ RockTemplate rock_template(const Scene& scene, double swelling) {
   recipe.shapes = ProceduralShapes{1};
   recipe.sizes = PassingTable{{{0.149, 0}, {0.151, 1}}};
   recipe.samples = 1;
-  recipe.fill_ratio = 6;
+  recipe.fill = MonoFill{6};
   recipe.rock_density = 2600;
   recipe.bond_rule.gap = 0.05 + 2.2 * (swelling - 1);  // whatever overlaps is bonded
   recipe.bond_rule.radius = RelativeBondRadius{0.5};
@@ -54,7 +54,7 @@ RockTemplate rock_template(const Scene& scene, double swelling) {
 }
 
 NewRock rock_with_strengths(const RockTemplate& from, std::uint64_t seed) {
-  const StrengthScatter scatter{1, 0.2, 0.4, 1.6};
+  const TruncatedNormal scatter{1, 0.2, 0.4, 1.6};
   NewRock rock;
   rock.id = 0;
   for (std::size_t k = 0; k < from.centres.size(); ++k)

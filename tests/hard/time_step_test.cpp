@@ -39,7 +39,7 @@ RockTemplate bonded(std::vector<Vec3d> centres, std::vector<double> radii, const
 /// A procedural rock of particles of 25 mm.
 RockTemplate mono_rock() {
   const BondRule rule{0.05, AbsoluteBondRadius{0.005}};
-  const Filling f = fill_mono(Mould(procedural_shape(1, 0)), 6, rule, 42, 0);
+  const Filling f = fill(Mould(procedural_shape(1, 0)), MonoFill{6}, rule, {1, 42, 0});
   const double scale = 0.0125 / f.radii[0];
   std::vector<Vec3d> centres;
   for (const Vec3d& c : f.centres) centres.push_back(scale * c);

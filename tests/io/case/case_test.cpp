@@ -75,11 +75,11 @@ TEST_CASE("The large machine has the numbers of its file, in SI") {
   CHECK(std::get<gyro::StiffnessPerArea>(c.bonds->stiffness).normal == 1.67e12);
   CHECK(std::get<gyro::RelativeBondRadius>(c.bonds->rule.radius).factor == 0.5);
   REQUIRE(c.bonds->scatter);
-  CHECK(c.bonds->scatter->upper == 1.6);
+  CHECK(std::get<gyro::TruncatedNormal>(*c.bonds->scatter).upper == 1.6);
   REQUIRE(c.rocks);
   CHECK(std::get<gyro::ProceduralShapes>(c.rocks->shapes).count == 8);
   CHECK(std::get<gyro::PassingTable>(c.rocks->sizes).points.at(1).size == 0.5);
-  CHECK(c.rocks->fill_ratio == 6.0);
+  CHECK(std::get<gyro::MonoFill>(c.rocks->fill).ratio == 6.0);
   REQUIRE(c.feed);
   CHECK(c.feed->initial == 2000);
   CHECK(c.feed->rate == Approx(3500 / 3.6).epsilon(1e-14));

@@ -38,6 +38,54 @@ TEST_CASE("Overrides replace, add and leave out keys") {
   CHECK(std::get<gyro::AbsoluteBondRadius>(load({"bonds.radius={absolute: 2 mm}"}).bonds->rule.radius).radius == 0.002);
 }
 
+TEST_CASE("Forms of rocks and bonds that the quickstart does not use") {
+  const gyro::Case range = load({"rocks.fill={sizes: [8 mm, 45 mm]}"});
+  const auto& fill = std::get<gyro::RangeFill>(range.rocks->fill);
+  CHECK(fill.smallest == 0.008);
+  CHECK(fill.largest == 0.045);
+  CHECK(fill.exponent == 0.8);
+  CHECK(resolved_yaml(range).find("exponent: 0.8") != std::string::npos);
+  CHECK(resolved_yaml(load({})).find("exponent") == std::string::npos);
+  CHECK(std::get<gyro::RangeFill>(load({"rocks.fill={sizes: [8 mm, 45 mm], exponent: 0.5}"}).rocks->fill).exponent ==
+        0.5);
+  CHECK(std::get<gyro::ContactAreaBond>(load({"bonds.radius={area: 0.25}"}).bonds->rule.radius).factor == 0.25);
+  const auto scatter = [](const std::string& text) { return *load({"bonds.strength_scatter=" + text}).bonds->scatter; };
+  const auto weibull = std::get<gyro::WeibullStrength>(scatter("{distribution: weibull, modulus: 4}"));
+  CHECK(weibull.modulus == 4);
+  CHECK(weibull.mean == 1);
+  const auto literal = std::get<gyro::TruncatedNormal>(scatter("{distribution: paper_literal, range: [0.2, 1.8]}"));
+  CHECK(literal.deviation == 1);
+  CHECK(literal.upper == 1.8);
+  const auto rounded = std::get<gyro::ProceduralShapes>(
+      load({"rocks.shapes={procedural: 3, angularity: 0.1, roughness: 0.05, flatness: [0.3, 0.5]}"}).rocks->shapes);
+  CHECK(rounded.count == 3);
+  CHECK(rounded.style.angularity == 0.1);
+  CHECK(rounded.style.roughness == 0.05);
+  CHECK(rounded.style.flatness.high == 0.5);
+  CHECK(rounded.style.elongation.low == 0.65);
+  const auto vendor =
+      std::get<gyro::PassingTable>(load({"rocks.sizes={vendor: {feed_opening: 1 m, min: 20 mm}}"}).rocks->sizes);
+  CHECK(vendor.points.at(2).size == Approx(0.6));
+  CHECK(vendor.points.at(2).fraction == 0.8);
+}
+
+TEST_CASE("Forms that do not fit together are refused") {
+  const auto refused = [](const std::string& override, const std::string& reason) {
+    CAPTURE(override, problems({override}));
+    CHECK(problems({override}).find(reason) != std::string::npos);
+  };
+  refused("rocks.fill={ratio: 6, exponent: 0.8}", "rocks.fill.exponent does not go with rocks.fill.ratio");
+  refused("rocks.shapes={procedural: 3, corners: 40}", "rocks.shapes.corners does not go with rocks.shapes.procedural");
+  refused("rocks.shapes={procedural: 3, roughness: 2}", "0 to 0.3");
+  refused("rocks.fill={sizes: [45 mm, 8 mm]}", "does not rise");
+  refused("rocks.fill={ratio: 1}", "2 to 50");
+  refused("bonds.strength_scatter={distribution: weibull, modulus: 4, range: [0.4, 1.6]}", "range does not belong to");
+  refused("bonds.strength_scatter={distribution: weibull}", "required key \"modulus\" is missing");
+  refused("bonds.strength_scatter={distribution: truncated_normal, range: [0.4, 1.6]}", "\"deviation\" is missing");
+  refused("bonds.strength_scatter={distribution: paper_literal, range: [1.2, 1.6]}", "is not inside the range");
+  refused("rocks.sizes={vendor: {feed_opening: 1 m, min: 200 mm}}", "below 0.1 of feed_opening");
+}
+
 TEST_CASE("Bad overrides are problems of the override, at its column") {
   CHECK(problems({"time.duration=1 s", "time.duration=5 kg"})
             .starts_with("--set:2:15: time.duration: \"5 kg\" is a mass; "));

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/hd.hpp"
+#include "core/math/vec3.hpp"
+
+#include <vector>
+
+namespace gyro {
+
+/// Shortest difference between images in a periodic cube.
+Vec3d nearest_image(const Vec3d& d, double side);
+
+/// Soft spheres in a periodic cube on their way to rest. The unit of length is the smallest radius.
+///
+/// Two spheres push with 2 R* overlap, R* = Ri Rj/(Ri + Rj), and a sphere has the mass Ri: under one pressure all
+/// overlaps are then alike relative to the radii, and all contacts vibrate alike. Closer than `reach` they pull with
+/// 2 R* cohesion (1 - gap/reach), if they are told to. Pair lists hold what is closer than `list_margin`, which
+/// changes speed and the last bits.
+class SoftSpheres {
+ public:
+  SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_margin);
+
+  /// Goes downhill (FIRE: Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201, its parameters) until no force exceeds the
+  /// tolerance or no overlap the limit. @return whether it got there in so many steps
+  bool settle(double force_tolerance, int most_steps, double overlap_limit = 0);
+
+  /// Brings everything closer or further apart.
+  void scale(double factor);
+  void set_cohesion(double cohesion, double reach) { cohesion_ = cohesion, reach_ = reach; }
+
+  /// Largest (overlap/smaller radius) of all pairs.
+  double largest_overlap() const;
+  /// Factor on all distances, at least 1, that leaves no overlap above the limit [smaller radius].
+  double growth_to(double overlap) const;
+  /// Volume of the spheres / volume of the cube.
+  double fraction() const;
+  double side() const { return side_; }
+  const std::vector<Vec3d>& centres() const { return x_; }
+  const std::vector<double>& radii() const { return radii_; }
+
+ private:
+  struct Pair {
+    Index i, j;
+  };
+  void find_pairs();
+  void add_if_close(Index j, Index i);
+  void move();
+  bool moved_too_far() const;
+  void update_forces();
+  double largest_force() const;
+
+  double side_, margin_, largest_radius_ = 1, cohesion_ = 0, reach_ = 0;
+  std::vector<double> radii_;
+  std::vector<Vec3d> x_, v_, force_, listed_;
+  std::vector<Pair> pairs_;
+  double dt_ = 0.1, mixing_ = 0.1;  ///< of FIRE
+  int downhill_ = 0;
+};
+
+}  // namespace gyro
