@@ -6,9 +6,11 @@
 #include "app/start_state.hpp"
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
+#include "core/walls/mesh_setting.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace gyro {
 namespace {
@@ -46,6 +48,31 @@ void add_wall(Assembly& out, const CaseWall& wall) {
   }
   if (std::holds_alternative<GyrationMotion>(made.motion) && out.gyrating == none) out.gyrating = number;
   out.scene.walls.push_back(std::move(made));
+}
+
+/// Liners given as meshes: lifts the gyrating ones so that the asked setting is met.
+void set_meshes(Assembly& out, double closed_side_setting) {
+  if (out.gyrating == none || out.liners) return;
+  const MeshShape* concave = nullptr;
+  for (const Wall& wall : out.scene.walls)
+    if (wall.name == "concave" && std::holds_alternative<Fixed>(wall.motion))
+      concave = std::get_if<MeshShape>(&wall.shape);
+  const Wall& mantle = out.scene.walls[static_cast<std::size_t>(out.gyrating)];
+  const auto* shape = std::get_if<MeshShape>(&mantle.shape);
+  if (concave == nullptr || shape == nullptr) {
+    out.notes.push_back(
+        "no fixed mesh is called concave: closed_side_setting is not imposed, the mantle stays as drawn");
+    return;
+  }
+  const MeshGap gap(*shape, *concave, std::get<GyrationMotion>(mantle.motion));
+  const double lift = gap.solve_lift(closed_side_setting);
+  for (Wall& wall : out.scene.walls)
+    if (auto* motion = std::get_if<GyrationMotion>(&wall.motion)) motion->lift = lift;
+  const MeshSetting setting = gap.measure(lift);
+  char note[160];
+  std::snprintf(note, sizeof note, "mantle lifted by %.2f mm: closed side setting %.2f mm, open %.2f mm", lift * 1e3,
+                setting.closed * 1e3, setting.open * 1e3);
+  out.notes.push_back(note);
 }
 
 LibraryRecipe recipe_of(const Case& input, const Scene& scene) {
@@ -146,6 +173,7 @@ Assembly assemble(const Case& input) {
   }
   if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
   for (const CaseWall& wall : input.walls) blaming("walls." + wall.name, [&] { add_wall(out, wall); });
+  if (input.crusher) blaming("crusher", [&] { set_meshes(out, input.crusher->closed_side_setting); });
   if (input.rocks) {
     out.library = blaming("rocks", [&] { return make_library(recipe_of(input, scene), default_cache_folder()); });
     out.notes.insert(out.notes.end(), out.library.notes.begin(), out.library.notes.end());

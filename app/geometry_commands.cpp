@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
+#include "core/walls/mesh_setting.hpp"
 #include "io/library_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -28,9 +29,17 @@ void make_directory(const std::filesystem::path& path) {
   if (failed) throw OutputError(path.string() + ": cannot make the directory: " + failed.message());
 }
 
+constexpr int sectors = 360;
+
+/// The setting as it is on the meshes that are written.
+MeshSetting measured(const Liners& liners) {
+  return MeshGap(revolve(liners.mantle, sectors), revolve(liners.concave, sectors), liners.motion)
+      .measure(liners.motion.lift);
+}
+
 /// The liner as it stands with the mantle centred and lifted to the setting: a case takes the file as it is.
 void write_liner(const ProfileShape& shape, double lift, const std::filesystem::path& file) {
-  MeshShape mesh = revolve(shape, 360);
+  MeshShape mesh = revolve(shape, sectors);
   for (Vec3d& v : mesh.vertices) v.z += lift;
   write_stl(file.string(), {mesh.vertices, mesh.triangles});
 }
@@ -67,12 +76,14 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   const CaseCrusher& c = *input->crusher;
   const Liners liners = located(arguments, [&] { return blaming("crusher", [&] { return liners_of(c); }); });
   const LinerReport report = measure(liners, eccentric_speed(*input), norm(input->gravity));
+  const MeshSetting on_meshes = measured(liners);
   make_directory(out);
   write_liner(liners.concave, 0, out / "concave.stl");
   write_liner(liners.mantle, liners.motion.lift, out / "mantle.stl");
   nlohmann::json j{{"closed_side_setting", report.closed_side_setting},
                    {"open_side_setting", report.open_side_setting},
                    {"throw", report.throw_at_discharge},
+                   {"measured_on_meshes", {{"closed", on_meshes.closed}, {"open", on_meshes.open}}},
                    {"volume", report.volume},
                    {"capacity_tph", report.capacity * bulk_density_of_rock * 3.6},
                    {"choke_height", report.choke_height},
@@ -85,6 +96,8 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   }
   std::printf("closed side setting  %.2f mm\nopen side setting    %.2f mm\nthrow                %.2f mm\n",
               report.closed_side_setting * 1e3, report.open_side_setting * 1e3, report.throw_at_discharge * 1e3);
+  std::printf("on the meshes        %.2f and %.2f mm, by turning the eccentric\n", on_meshes.closed * 1e3,
+              on_meshes.open * 1e3);
   std::printf("chamber volume       %.4g m3\nslice capacity       %.4g t/h at 1.6 t/m3, choke at z = %.3g m\n",
               report.volume, report.capacity * bulk_density_of_rock * 3.6, report.choke_height);
   const std::size_t every = std::max<std::size_t>(1, report.nip_angle.size() / 12);

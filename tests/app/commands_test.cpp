@@ -113,6 +113,8 @@ TEST_CASE("liners --json measures the setting that the case asks for") {
   CHECK(j["throw"].get<double>() == Approx(2 * 2.7125e-3).epsilon(0.03));
   CHECK(j["open_side_setting"].get<double>() - j["closed_side_setting"].get<double>() ==
         Approx(j["throw"].get<double>()));
+  CHECK(j["measured_on_meshes"]["closed"].get<double>() == Approx(0.015).margin(1e-4));
+  CHECK(j["measured_on_meshes"]["open"] == Approx(j["open_side_setting"].get<double>()).margin(1e-4));
   CHECK(j["volume"] > 0);
   CHECK(j["capacity_tph"] > 0);
   CHECK(j["nip_angle"].size() > 2);

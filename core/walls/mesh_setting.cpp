@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/mesh_setting.hpp"
+
+#include "core/base/errors.hpp"
+#include "core/walls/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+
+namespace gyro {
+namespace {
+
+constexpr int strip_count = 24;
+constexpr double strip_half = 0.02;  // [rad]; at the concave of a 62-75 that is 22 mm, about a facet of 240 sectors
+constexpr int angles = 24;           // of the eccentric, over a gyration, from the strip's own azimuth on
+constexpr double spacing = 0.004;    // of points, times the concave's height
+
+double azimuth_of(const Vec3d& v) {
+  return std::atan2(v.y, v.x);
+}
+
+/// Difference of two angles, in [-pi, pi].
+double apart(double a, double b) {
+  return std::remainder(a - b, 2 * std::numbers::pi);
+}
+
+/// Points of a triangle on a raster, corners included.
+template <class Take>
+void raster(const Vec3d& a, const Vec3d& b, const Vec3d& c, double step, const Take& take) {
+  const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
+  const int cuts = std::clamp(static_cast<int>(std::ceil(longest / step)), 1, 400);
+  for (int i = 0; i <= cuts; ++i)
+    for (int j = 0; i + j <= cuts; ++j) take(a + double(i) / cuts * (b - a) + double(j) / cuts * (c - a));
+}
+
+/// Neighbouring triangles give the points of their common edge twice, but for rounding.
+void drop_repeated(std::vector<Vec3d>& points) {
+  std::ranges::sort(points,
+                    [](const Vec3d& a, const Vec3d& b) { return std::tie(a.z, a.x, a.y) < std::tie(b.z, b.x, b.y); });
+  const auto same = [](const Vec3d& a, const Vec3d& b) { return norm(a - b) < 1e-9; };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+}
+
+}  // namespace
+
+MeshGap::MeshGap(const MeshShape& mantle, const MeshShape& concave, const GyrationMotion& motion)
+    : mantle_(mantle), concave_(concave), motion_(motion) {
+  for (const Vec3d& v : concave.vertices) height_ = std::max(height_, v.z);
+  if (!(height_ > 0))
+    throw BadInput("the concave has nothing above the discharge plane z = 0; a mesh that has is accepted");
+  for (int k = 0; k < strip_count; ++k) strips_.push_back({2 * std::numbers::pi * k / strip_count, {}, {}});
+  take_points(concave, 0, 0.1 * height_, &Strip::concave);
+  double lowest = 1e300;
+  for (const Vec3d& v : mantle.vertices) lowest = std::min(lowest, v.z);
+  take_points(mantle, lowest, lowest + 0.1 * height_, &Strip::mantle);
+  std::erase_if(strips_, [](const Strip& strip) { return strip.concave.empty(); });
+  if (strips_.empty()) throw BadInput("the concave is open where the setting is measured; a closed ring is accepted");
+}
+
+void MeshGap::take_points(const MeshShape& mesh, double low, double high, std::vector<Vec3d> Strip::*points) {
+  const auto take = [&](const Vec3d& p) {
+    if (p.z < low || p.z > high) return;
+    const double turns = azimuth_of(p) / (2 * std::numbers::pi) * strip_count;
+    Strip& strip =
+        strips_[static_cast<std::size_t>((static_cast<int>(std::lround(turns)) + strip_count) % strip_count)];
+    if (std::abs(apart(azimuth_of(p), strip.azimuth)) <= strip_half) (strip.*points).push_back(p);
+  };
+  const auto at = [&](Index i) { return mesh.vertices[static_cast<std::size_t>(i)]; };
+  for (const Vec3<Index>& t : mesh.triangles) {
+    const Vec3d a = at(t.x), b = at(t.y), c = at(t.z);
+    if (std::max({a.z, b.z, c.z}) < low || std::min({a.z, b.z, c.z}) > high) continue;
+    raster(a, b, c, spacing * height_, take);
+  }
+  for (Strip& strip : strips_) drop_repeated(strip.*points);
+}
+
+/// Negative where the mantle's points lie outside the concave: farther from the machine's axis than its surface.
+double MeshGap::gap_of_mantle(const Strip& strip, const WallPose& pose, double least) const {
+  for (const Vec3d& point : strip.mantle) {
+    const Vec3d p = to_world(pose, point);
+    const Nearest nearest = nearest_within(concave_, p, std::min(std::abs(least), reach()));
+    if (nearest.triangle == none) continue;
+    const Vec3d q = p - nearest.point.height * nearest.point.normal;
+    if (q.z < 0 || q.z > 0.1 * height_) continue;
+    const double side = std::hypot(p.x, p.y) <= std::hypot(q.x, q.y) ? 1 : -1;
+    least = std::min(least, side * nearest.point.height);
+  }
+  return least;
+}
+
+/// Negative where the surfaces overlap: the concave's points are nearer to the mantle's axis than its surface.
+double MeshGap::gap(const Strip& strip, double angle, double lift) const {
+  GyrationMotion motion = motion_;
+  motion.lift = lift;
+  const WallPose pose = gyration_pose(motion, {.angle = angle});
+  double least = reach();
+  for (const Vec3d& point : strip.concave) {
+    const Vec3d p = to_body(pose, point);
+    const Nearest nearest = nearest_within(mantle_, p, std::min(std::abs(least), reach()));
+    if (nearest.triangle == none) continue;
+    const Vec3d q = p - nearest.point.height * nearest.point.normal;
+    const double side = std::hypot(p.x, p.y) >= std::hypot(q.x, q.y) ? 1 : -1;
+    least = std::min(least, side * nearest.point.height);
+  }
+  return gap_of_mantle(strip, pose, least);
+}
+
+double MeshGap::closed(double lift) const {
+  double least = 1e300;
+  for (const Strip& strip : strips_) least = std::min(least, gap(strip, strip.azimuth, lift));
+  return least;
+}
+
+MeshSetting MeshGap::measure(double lift) const {
+  MeshSetting setting{1e300, 0};
+  for (std::size_t s = 0; s < strips_.size(); s += 4) {
+    double least = 1e300, largest = 0;
+    for (int k = 0; k < angles; ++k) {
+      const double now = gap(strips_[s], strips_[s].azimuth + 2 * std::numbers::pi * k / angles, lift);
+      least = std::min(least, now);
+      largest = std::max(largest, now);
+    }
+    setting = {std::min(setting.closed, least), std::max(setting.open, largest)};
+  }
+  return setting;
+}
+
+double MeshGap::solve_lift(double wanted) const {
+  double low = 0, high = 0;  // open below, closed above
+  const double most = height_ / 2;
+  for (double step = most / 64; step <= most && closed(low) < wanted; step *= 2) low = -step;
+  for (double step = most / 64; step <= most && closed(high) > wanted; step *= 2) high = step;
+  if (closed(low) < wanted || closed(high) > wanted)
+    throw BadInput("closed_side_setting of " + std::to_string(wanted) +
+                   " m cannot be had by lifting the mantle; between " + std::to_string(std::max(closed(high), 0.0)) +
+                   " and " + std::to_string(closed(low)) + " m are accepted");
+  double at_low = closed(low) - wanted, at_high = closed(high) - wanted;
+  while (high - low > 1e-6) {  // false position, kept away from the ends
+    const double share = at_low == at_high ? 0.5 : std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
+    const double middle = low + share * (high - low), value = closed(middle) - wanted;
+    if (std::abs(value) < 1e-6) return middle;
+    (value >= 0 ? low : high) = middle;
+    (value >= 0 ? at_low : at_high) = value;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace gyro

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/walls/mesh_grid.hpp"
+
+namespace gyro {
+
+/// The piece of a mesh nearest to a point.
+struct Nearest {
+  Index triangle = none;
+  NearPoint point{};  ///< normal from the mesh to the point, and the distance
+};
+
+/// Looks within `reach` only: none where nothing is. Body frame.
+Nearest nearest_within(const MeshGrid& mesh, const Vec3d& centre, double reach);
+
+/// Looks within `reach` and, where nothing is, four times farther, up to 64 x reach. Body frame.
+Nearest nearest_triangle(const MeshGrid& mesh, const Vec3d& centre, double reach);
+
+}  // namespace gyro

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/mesh_setting.hpp"
+#include "core/base/errors.hpp"
+#include "core/walls/liners.hpp"
+#include "tests/catch.hpp"
+
+using namespace gyro;
+
+namespace {
+
+const std::vector<LinerRow> rows{{0, .953, 1.094},   {.1, .915, 1.084},  {.2, .878, 1.077},  {.3, .843, 1.072},
+                                 {.5, .776, 1.072},  {.75, .699, 1.095}, {1.0, .630, 1.140}, {1.5, .512, 1.263},
+                                 {2.0, .424, 1.416}, {2.5, .349, 1.584}, {3.2, .244, 1.819}};
+
+}  // namespace
+
+TEST_CASE("Setting measured on meshes by turning the eccentric is the asked one", "[walls][setting]") {
+  const auto [sectors, asked] = GENERATE(table<int, double>({{240, 0.120}, {360, 0.150}}));
+  const Liners liners = make_liners(rows, {asked, 0.0217, 4.2});
+  const MeshGap gap(revolve(liners.mantle, sectors), revolve(liners.concave, sectors), liners.motion);
+  const MeshSetting setting = gap.measure(liners.motion.lift);
+  CAPTURE(sectors, asked, setting.closed, setting.open);
+  CHECK(std::abs(setting.closed - asked) < 1e-4);
+  CHECK(std::abs(setting.open - side_setting(liners, liners.motion.lift, false)) < 1e-4);
+}
+
+TEST_CASE("A mesh mantle is lifted to the asked setting, wherever it was drawn", "[walls][setting]") {
+  const Liners liners = make_liners(rows, {0.120, 0.0217, 4.2});
+  const double drawn_at = GENERATE(-0.05, 0.03);
+  MeshShape mantle = revolve(liners.mantle, 240);
+  for (Vec3d& v : mantle.vertices) v.z += drawn_at;
+  const MeshGap gap(mantle, revolve(liners.concave, 240), liners.motion);
+  const double lift = gap.solve_lift(0.120);
+  CHECK(std::abs(gap.measure(lift).closed - 0.120) < 1e-4);
+  CHECK(lift + drawn_at == Approx(liners.motion.lift).margin(3e-4));  // 0.1 mm of gap is 0.3 mm of lift
+}
+
+TEST_CASE("Settings that no lift gives are refused", "[walls][setting]") {
+  const Liners liners = make_liners(rows, {0.120, 0.0217, 4.2});
+  const MeshGap gap(revolve(liners.mantle, 48), revolve(liners.concave, 48), liners.motion);
+  CHECK_THROWS_AS(gap.solve_lift(5), BadInput);
+  MeshShape below = revolve(liners.concave, 48);
+  for (Vec3d& v : below.vertices) v.z -= 10;
+  CHECK_THROWS_AS(MeshGap(revolve(liners.mantle, 48), below, liners.motion), BadInput);
+}
