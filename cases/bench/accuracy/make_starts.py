@@ -21,7 +21,8 @@ COMMON = ["particles=null", "bonds.tensile_strength=1e15", "bonds.shear_strength
           "contacts.rock/steel={friction: 0.7, restitution: 0.5, rolling_friction: 0.2}", "coupling.interval=0.5 ms",
           "output.snapshots=50 ms"]
 
-# What is dropped, for how long it settles [s], and which sector is kept [degrees].
+# What is dropped, for how long it settles [s], which sector is kept [degrees], and the factor on radii that takes the load
+# from the contacts, so that a start state throws nothing apart.
 SCENES = {
     "platen": {
         "settle": 1.5,
@@ -31,6 +32,7 @@ SCENES = {
     },
     "wedge": {
         "settle": 1.2,
+        "shrink": 0.992,
         "set": ["rocks={shapes: {procedural: 6}, sizes: {passing: [[35 mm, 0], [45 mm, 1]]}, samples: 6, "
                 "fill: {ratio: 3.2}, density: material}",
                 "feed={rocks: 30, at: [50 mm, 0, 0.25]}", "walls.jaw.motion=fixed"],
@@ -38,6 +40,7 @@ SCENES = {
     "crusher": {
         "settle": 0.4,
         "sector": (84, 164),
+        "shrink": 0.996,
         "set": ["rocks={shapes: {procedural: 6}, sizes: {passing: [[25 mm, 0], [40 mm, 1]]}, samples: 8, "
                 "fill: {ratio: 4}, density: material}",
                 "feed={initial: 1.8 kg, initial_top: 150 mm, above: concave}",
@@ -81,12 +84,13 @@ def write(scene, folder):
     rocks = kept(column["rock"], points, SCENES[scene])
     number = {rock: k for k, rock in enumerate(sorted(rocks))}
     rows = [k for k in range(len(points)) if column["rock"][k] in rocks]
+    shrink = SCENES[scene].get("shrink", 1)
     new_id = {tuple(points[k]): place for place, k in enumerate(rows)}
     with open(HERE / f"{scene}-particles.csv", "w", encoding="utf-8") as file:
         file.write("# made by make_starts.py\nid,x,y,z,r,rock\n")
         for place, k in enumerate(rows):
             x, y, z = points[k]
-            file.write(f"{place},{x:.9g},{y:.9g},{z:.9g},{column['radius'][k]:.9g},{number[column['rock'][k]]}\n")
+            file.write(f"{place},{x:.9g},{y:.9g},{z:.9g},{shrink * column['radius'][k]:.9g},{number[column['rock'][k]]}\n")
     ends = vtk_to_numpy(bonds.GetPoints().GetData())
     pairs = [(new_id.get(tuple(ends[2 * b])), new_id.get(tuple(ends[2 * b + 1]))) for b in range(len(ends) // 2)]
     pairs = sorted(tuple(sorted(pair)) for pair in pairs if None not in pair)
