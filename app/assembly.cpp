@@ -165,6 +165,7 @@ Assembly assemble(const Case& input) {
   scene.pairs = pair_table(input);
   scene.rock_material = input.rock_material;
   scene.gravity = input.gravity;
+  scene.wall_impulses = input.output.liners.has_value();
   if (input.bonds) scene.bonds = bond_parameters(*input.bonds);
   if (input.crusher) {
     const CaseCrusher& c = *input.crusher;

@@ -60,6 +60,8 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int verify_command(const VerifyArguments& arguments);
 int bench_accuracy_command(const BenchAccuracyArguments& arguments);
+/// The series of a run as CSV, to a file or standard output; names carry the unit.
+int export_command(const std::filesystem::path& run, const std::optional<std::filesystem::path>& out);
 int init_command(const std::string& name);
 int info_command(bool json);
 

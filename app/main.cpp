@@ -94,6 +94,74 @@ int guarded(const std::function<int()>& command) {
   }
 }
 
+/// What any command may be told.
+struct Arguments {
+  RunArguments run;
+  CaseArguments check, library, liners;
+  std::optional<std::filesystem::path> library_out, export_out;
+  std::filesystem::path liners_out, exported;
+  VerifyArguments verify;
+  BenchAccuracyArguments accuracy;
+  std::string key, name = "quickstart";
+  bool schema = false, info_json = false;
+  std::function<int()> chosen;  ///< the command of the command line
+};
+
+void add_commands_of_cases(CLI::App& app, Arguments& a) {
+  CLI::App* c = app.add_subcommand("run", "run a case");
+  add_run(*c, a.run);
+  c->callback([&a] { a.chosen = [&a] { return run_command(a.run); }; });
+
+  c = app.add_subcommand("check", "validate a case and say what it takes");
+  add_case(*c, a.check);
+  c->add_flag("--json", a.check.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return check_command(a.check); }; });
+
+  c = app.add_subcommand("library", "build the meta-particle library of a case");
+  add_case(*c, a.library);
+  c->add_option("--out", a.library_out, "directory");
+  c->add_flag("--json", a.library.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return library_command(a.library, a.library_out); }; });
+
+  c = app.add_subcommand("liners", "write the liners of a profile as STL and measure the chamber");
+  add_case(*c, a.liners);
+  c->add_option("--out", a.liners_out, "directory")->required();
+  c->add_flag("--json", a.liners.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return liners_command(a.liners, a.liners_out); }; });
+}
+
+void add_other_commands(CLI::App& app, Arguments& a) {
+  CLI::App* c = app.add_subcommand("describe", "documentation of the case file's keys");
+  c->add_option("key", a.key, "a key or a section; default all");
+  c->add_flag("--json-schema", a.schema, "JSON Schema for editors");
+  c->callback([&a] { a.chosen = [&a] { return describe_command(a.key, a.schema); }; });
+
+  c = app.add_subcommand("verify", "hold the engine against theory, one line a check");
+  c->add_option("--filter", a.verify.filter, "regular expression searched in group/case/quantity");
+  c->add_flag("--nightly", a.verify.nightly, "the long cases as well");
+  c->add_flag("--json", a.verify.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return verify_command(a.verify); }; });
+
+  c = app.add_subcommand("bench", "what speed and accuracy cost")->require_subcommand(1);
+  c = c->add_subcommand("accuracy", "work against error: cost and error of numerical choices on three scenes");
+  add_bench_accuracy(*c, a.accuracy);
+  c->callback([&a] { a.chosen = [&a] { return bench_accuracy_command(a.accuracy); }; });
+
+  c = app.add_subcommand("export", "write results in another form")->require_subcommand(1);
+  c = c->add_subcommand("csv", "the series of a run as CSV");
+  c->add_option("RUNDIR", a.exported, "directory of a run")->required();
+  c->add_option("--out", a.export_out, "file; default standard output");
+  c->callback([&a] { a.chosen = [&a] { return export_command(a.exported, a.export_out); }; });
+
+  c = app.add_subcommand("init", "print a commented case to start from");
+  c->add_option("--template", a.name, "quickstart, primary or compression");
+  c->callback([&a] { a.chosen = [&a] { return init_command(a.name); }; });
+
+  c = app.add_subcommand("info", "version, build and machine");
+  c->add_flag("--json", a.info_json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return info_command(a.info_json); }; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,70 +169,13 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("gyrosim ") + version::number + " (" + version::git + ")");
   app.require_subcommand(1);
   app.failure_message(usage_problem);
-  std::function<int()> chosen;
-
-  RunArguments run;
-  CLI::App* c = app.add_subcommand("run", "run a case");
-  add_run(*c, run);
-  c->callback([&] { chosen = [&] { return run_command(run); }; });
-
-  CaseArguments check;
-  c = app.add_subcommand("check", "validate a case and say what it takes");
-  add_case(*c, check);
-  c->add_flag("--json", check.json, "one JSON document on standard output");
-  c->callback([&] { chosen = [&] { return check_command(check); }; });
-
-  std::string key;
-  bool schema = false;
-  c = app.add_subcommand("describe", "documentation of the case file's keys");
-  c->add_option("key", key, "a key or a section; default all");
-  c->add_flag("--json-schema", schema, "JSON Schema for editors");
-  c->callback([&] { chosen = [&] { return describe_command(key, schema); }; });
-
-  CaseArguments library;
-  std::optional<std::filesystem::path> library_out;
-  c = app.add_subcommand("library", "build the meta-particle library of a case");
-  add_case(*c, library);
-  c->add_option("--out", library_out, "directory");
-  c->add_flag("--json", library.json, "one JSON document on standard output");
-  c->callback([&] { chosen = [&] { return library_command(library, library_out); }; });
-
-  CaseArguments liners;
-  std::filesystem::path liners_out;
-  c = app.add_subcommand("liners", "write the liners of a profile as STL and measure the chamber");
-  add_case(*c, liners);
-  c->add_option("--out", liners_out, "directory")->required();
-  c->add_flag("--json", liners.json, "one JSON document on standard output");
-  c->callback([&] { chosen = [&] { return liners_command(liners, liners_out); }; });
-
-  VerifyArguments verify;
-  c = app.add_subcommand("verify", "hold the engine against theory, one line a check");
-  c->add_option("--filter", verify.filter, "regular expression searched in group/case/quantity");
-  c->add_flag("--nightly", verify.nightly, "the long cases as well");
-  c->add_flag("--json", verify.json, "one JSON document on standard output");
-  c->callback([&] { chosen = [&] { return verify_command(verify); }; });
-
-  BenchAccuracyArguments accuracy;
-  CLI::App* bench = app.add_subcommand("bench", "what speed and accuracy cost");
-  bench->require_subcommand(1);
-  c = bench->add_subcommand("accuracy", "work against error: cost and error of numerical choices on three scenes");
-  add_bench_accuracy(*c, accuracy);
-  c->callback([&] { chosen = [&] { return bench_accuracy_command(accuracy); }; });
-
-  std::string name = "quickstart";
-  c = app.add_subcommand("init", "print a commented case to start from");
-  c->add_option("--template", name, "quickstart, primary or compression");
-  c->callback([&] { chosen = [&] { return init_command(name); }; });
-
-  bool info_json = false;
-  c = app.add_subcommand("info", "version, build and machine");
-  c->add_flag("--json", info_json, "one JSON document on standard output");
-  c->callback([&] { chosen = [&] { return info_command(info_json); }; });
-
+  Arguments arguments;
+  add_commands_of_cases(app, arguments);
+  add_other_commands(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? exit_done : exit_bad_input;
   }
-  return guarded(chosen);
+  return guarded(arguments.chosen);
 }

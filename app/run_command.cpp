@@ -202,7 +202,11 @@ class Run {
     if (simulation_.feed()) s.feed_mass = simulation_.fed().mass;
     if (assembly_.gyrating != none) s.mean_crushing_power = output_.mean_crushing_power();
     if (simulation_.product()) product_figures(s);
+    if (simulation_.product()) s.holdup_mass = simulation_.holdup();
     if (const auto& drive = simulation_.drivetrain()) {
+      if (simulation_.feed()) s.choked = simulation_.choked();
+      if (const auto steady = steady_state(output_.gyrations()); steady && simulation_.product())
+        s.steady = SteadyFigures{steady->from, steady->power, steady->throughput * 3.6, steady->residence_time};
       s.stalled = drive->stalled();
       for (const DriveEvent& event : drive->events()) s.drive_events.push_back({event.time, to_string(event.kind)});
     }

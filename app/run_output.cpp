@@ -64,6 +64,7 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
       has_feed_(input.feed.has_value()),
       has_product_(input.crusher.has_value()),
       series_(series_channels()),
+      maps_(input, assembly),
       results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_rows(*saved))
                      : ResultsFile(directory / "results.h5", content(record))),
       snapshots_(directory, saved ? saved->get<double>("output/snapshot_times") : std::vector<double>{}) {
@@ -86,8 +87,9 @@ std::vector<Channel> RunOutput::series_channels() const {
     c.push_back({"crushing_power", "W"});
     c.push_back({"mantle_force", "N", 3});
   }
-  if (!has_mantle_)
-    for (const Wall& wall : assembly_.scene.walls) c.push_back({"wall_force_" + wall.name, "N", 3});
+  for (std::size_t w = 0; w < assembly_.scene.walls.size(); ++w)
+    if (static_cast<Index>(w) != assembly_.gyrating)
+      c.push_back({"wall_force_" + assembly_.scene.walls[w].name, "N", 3});
   if (has_feed_) c.push_back({"feed_mass", "kg"});
   if (has_product_) {
     c.push_back({"discharged_mass", "kg"});
@@ -111,6 +113,7 @@ ResultsContent RunOutput::content(const CaseRecord& record) const {
   content.performance = performance_channels();
   content.breakage = has_bonds_;
   if (has_product_) content.product_sizes = sieve_series();
+  content.liners = maps_.content();
   return content;
 }
 
@@ -125,6 +128,10 @@ void RunOutput::begin(const Simulation& simulation) {
 void RunOutput::take(const WindowResult& result, Simulation& simulation) {
   add_means(result, simulation);
   time_ = simulation.time();
+  maps_.take(simulation.dem().take_wall_impulses(), time_, results_);
+  if (simulation.drivetrain())
+    gyrations_.add(time_, result.window.length(), simulation.drivetrain()->state().angle, result.crushing_power,
+                   simulation.holdup(), simulation.product() ? simulation.product()->state().mass : 0);
   if (simulation.verdict() || due(input_.output.series, rows_ + 1, time_)) write_row(simulation);
   if (due(input_.output.snapshots, frames_, time_)) write_snapshot(simulation);
 }
@@ -141,7 +148,8 @@ void RunOutput::add_means(const WindowResult& result, const Simulation& simulati
   crushing_work_ += result.load.work;
   add("crushing_power", {result.crushing_power});
   add("mantle_force", {result.mantle_force.x, result.mantle_force.y, result.mantle_force.z});
-  for (std::size_t w = 0; w < result.walls.size() && !has_mantle_; ++w) {
+  for (std::size_t w = 0; w < result.walls.size(); ++w) {
+    if (static_cast<Index>(w) == assembly_.gyrating) continue;
     const Vec3d& f = result.walls[w].force;
     add("wall_force_" + assembly_.scene.walls[w].name, {f.x, f.y, f.z});
   }
@@ -168,7 +176,7 @@ void RunOutput::write_row(Simulation& simulation) {
   const double discharged = simulation.product() ? simulation.product()->state().mass : 0;
   now["feed_mass"] = fed;
   now["discharged_mass"] = discharged;
-  now["holdup_mass"] = simulation.start_mass() + fed - discharged;
+  now["holdup_mass"] = simulation.holdup();
   now["throughput"] = summed_time_ > 0 ? (discharged - discharged_before_) / summed_time_ : 0;
   discharged_before_ = discharged;
   now["particles"] = static_cast<double>(counts.particles);
@@ -244,10 +252,14 @@ void RunOutput::save(SavedState& to) const {
                                                input_.output.series, input_.output.snapshots});
   to.put("output/intervals", std::vector<std::int64_t>{rows_, frames_});
   to.put("output/snapshot_times", snapshots_.times());
+  maps_.save(to);
+  gyrations_.save(to);
 }
 
 void RunOutput::restore(const SavedState& from) {
   sums_ = columns_below<double>(from, sums_prefix);
+  maps_.restore(from);
+  gyrations_.restore(from);
   const std::vector<double> numbers = from.get<double>("output/numbers", 7);
   const auto intervals_over = from.get<std::int64_t>("output/intervals", 2);
   summed_time_ = numbers[0];
@@ -263,6 +275,7 @@ void RunOutput::restore(const SavedState& from) {
 
 void RunOutput::close(Simulation& simulation) {
   if (summed_time_ > 0) write_row(simulation);
+  maps_.close(results_);
   results_.close();
 }
 

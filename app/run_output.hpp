@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/liner_maps.hpp"
+#include "app/readings.hpp"
 #include "app/simulation.hpp"
 #include "io/results.hpp"
 #include "io/snapshots.hpp"
@@ -37,6 +39,7 @@ class RunOutput {
 
   double mean_crushing_power() const { return time_ > 0 ? crushing_work_ / time_ : 0; }  ///< over the run [W]
   double crushing_work() const { return crushing_work_; }                                ///< [J]
+  const std::vector<GyrationMeans>& gyrations() const { return gyrations_.gyrations(); }
 
  private:
   using Row = std::map<std::string, std::vector<double>>;
@@ -55,6 +58,8 @@ class RunOutput {
   const Assembly& assembly_;
   bool has_mantle_, has_drive_, has_bonds_, has_feed_, has_product_;
   std::vector<Channel> series_;
+  LinerMaps maps_;
+  GyrationReader gyrations_;
   ResultsFile results_;
   SnapshotWriter snapshots_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -5,6 +5,9 @@
 #include "core/base/errors.hpp"
 #include "core/walls/motion.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 namespace gyro {
 
 template <>
@@ -55,9 +58,16 @@ void Simulation::make_parts() {
   if (input_.crusher) product_.emplace(rock_density(assembly_));
 }
 
+/// Steps of the next window: fewer than the case asks while the exchange with the drive is too coarse, but whole holds.
+int Simulation::steps_ahead() const {
+  const int whole = assembly_.step.per_window, hold = input_.numerics.substeps;
+  const int divisor = drivetrain_ ? drivetrain_->window_divisor() : 1;
+  return std::max(hold, whole / divisor / hold * hold);
+}
+
 WindowResult Simulation::advance() {
   WindowResult result;
-  result.window = {step_, assembly_.step.per_window, assembly_.scene.dt};
+  result.window = {step_, steps_ahead(), assembly_.scene.dt};
 
   const MantlePath path = drivetrain_ ? drivetrain_->predict(result.window) : MantlePath{};  // 1. the mantle leads
   dem_->advance(result.window, path);                                                        // 2. the rock answers
@@ -122,6 +132,16 @@ void Simulation::inspect() {
   if (gone.empty()) return;
   dem_->remove(gone);
   ledger_.open(dem_->energy());
+}
+
+double Simulation::holdup() const {
+  return start_mass_ + fed().mass - (product_ ? product_->state().mass : 0);
+}
+
+bool Simulation::choked() const {
+  if (!feed_ || !drivetrain_ || !assembly_.feed || !(assembly_.feed->rate > 0)) return false;
+  const double speed = idle_speed(*input_.drivetrain);
+  return fed().waiting > assembly_.feed->rate * 2 * std::numbers::pi / speed;
 }
 
 FeedAccount Simulation::fed() const {

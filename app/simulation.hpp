@@ -53,6 +53,9 @@ class Simulation {
   const std::optional<Product>& product() const { return product_; }
   FeedAccount fed() const;
   double start_mass() const { return start_mass_; }  ///< of the case's `particles` [kg]
+  double holdup() const;                             ///< mass between feed and discharge [kg]
+  /// Whether the chamber takes less than the feed gives: more rock waits for room than one gyration feeds.
+  bool choked() const;
   MassCount mass_count() const;
   std::int64_t fragments() const { return fragments_; }
   std::int64_t bonds_initial() const { return bonds_put_in_; }
@@ -62,6 +65,7 @@ class Simulation {
  private:
   void make_parts();
   void restore(const SavedState& saved);
+  int steps_ahead() const;
   void put_in(std::span<const NewRock> rocks);
   void feed_rock();
   MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double length) const;

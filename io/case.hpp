@@ -135,12 +135,20 @@ struct CaseParticles {
   std::vector<StartBond> bonds;
 };
 
+/// `output.liners`.
+struct CaseLinerMaps {
+  double interval = 0;  ///< simulated time between maps [s]
+  int rows = 32, sectors = 72;
+  std::optional<double> wear_coefficient;  ///< Archard [1/Pa]
+};
+
 /// `output`.
 struct CaseOutput {
   double series = 1e-3;      ///< simulated time between rows [s]
   double snapshots = 20e-3;  ///< simulated time between snapshots [s]; 0: none
   double checkpoints = 300;  ///< wall-clock time between checkpoints [s]; 0: only at the end
   bool vtp = true, hdf5 = false;
+  std::optional<CaseLinerMaps> liners;
 };
 
 /// A checked case in SI units. What the file leaves out is either a documented default or absent.

@@ -174,8 +174,16 @@ CaseOutput output_of(const Setting& section) {
   const auto has = [&](std::string_view format) {
     return std::find(formats.begin(), formats.end(), format) != formats.end();
   };
-  return {section.number("series"), section.number("snapshots"), section.number("checkpoints"), has("vtp"),
-          has("hdf5")};
+  CaseOutput output{section.number("series"),
+                    section.number("snapshots"),
+                    section.number("checkpoints"),
+                    has("vtp"),
+                    has("hdf5"),
+                    std::nullopt};
+  if (const Setting* maps = section.find("liners"))
+    output.liners = CaseLinerMaps{maps->number("interval"), static_cast<int>(maps->number("rows")),
+                                  static_cast<int>(maps->number("sectors")), number_if(*maps, "wear_coefficient")};
+  return output;
 }
 
 }  // namespace
@@ -195,6 +203,7 @@ Case build_case(const Setting& root, const CaseTables& tables) {
   if (const Setting* feed = root.find("feed")) made.feed = feed_of(*feed, made.walls);
   if (const Setting* drive = root.find("drivetrain")) made.drivetrain = build_drivetrain(*drive, tables, *made.crusher);
   made.coupling_interval = root.number("coupling.interval");
+  if (made.drivetrain) made.drivetrain->residual_limit = root.number("coupling.residual_limit");
   made.gravity = vector_of(*root.find("gravity"));
   made.numerics = {root.text("numerics.precision") == "double" ? Precision::real64 : Precision::mixed,
                    static_cast<int>(root.number("numerics.substeps"))};

@@ -43,6 +43,37 @@ std::vector<Channel> breakage_channels() {
           {"energy", "J"}};
 }
 
+std::vector<Channel> liner_channels(const LinerMap& liner) {
+  using hdf5::Number;
+  return {{"time", "s"}, {"pressure", "Pa", liner.cells, Number::float32}, {"work", "J", liner.cells, Number::float32}};
+}
+
+int triangles_of(const LinerMap& liner) {
+  return static_cast<int>(liner.corners.size() / 9);
+}
+
+std::vector<Channel> triangle_channels(const LinerMap& liner) {
+  using hdf5::Number;
+  const int count = triangles_of(liner);
+  std::vector<Channel> channels{
+      {"time", "s"}, {"pressure", "Pa", count, Number::float32}, {"work", "J", count, Number::float32}};
+  if (liner.wear) channels.push_back({"wear", "m", count, Number::float32});
+  return channels;
+}
+
+/// Where the cells of a liner are; the corners lie beside the group of the triangles' tables.
+void write_grid(hdf5::File& file, const std::string& group, const LinerMap& liner) {
+  const auto write = [&](const char* name, const std::vector<double>& numbers, const char* units) {
+    if (numbers.empty()) return;
+    file.write_numbers(group + "/" + name, numbers);
+    file.dataset(group + "/" + name).set_attribute("units", units);
+  };
+  write("heights", liner.heights, "m");
+  write("azimuths", liner.azimuths, "rad");
+  write("area", liner.area, "m2");
+  write("corners", liner.corners, "m");
+}
+
 /// Groups and channels of the tables, in the order in which they are made.
 std::vector<std::pair<std::string, std::vector<Channel>>> tables_of(const ResultsContent& content) {
   using hdf5::Number;
@@ -53,11 +84,11 @@ std::vector<std::pair<std::string, std::vector<Channel>>> tables_of(const Result
     const int sieves = static_cast<int>(content.product_sizes.size());
     tables.push_back({"/product", {{"time", "s"}, {"passing", "1", sieves}}});
   }
-  for (const LinerMap& liner : content.liners)
-    tables.push_back({"/liners/" + liner.wall,
-                      {{"time", "s"},
-                       {"pressure", "Pa", liner.cells, Number::float32},
-                       {"work", "J", liner.cells, Number::float32}}});
+  for (const LinerMap& liner : content.liners) {
+    const std::string group = "/liners/" + liner.wall;
+    tables.emplace_back(group, liner_channels(liner));
+    if (!liner.corners.empty()) tables.emplace_back(group + "/triangles", triangle_channels(liner));
+  }
   return tables;
 }
 
@@ -161,6 +192,7 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent
     file_->write_numbers("/product/sizes", content.product_sizes);
     file_->dataset("/product/sizes").set_attribute("units", "m");
   }
+  for (const LinerMap& liner : content.liners) write_grid(*file_, "/liners/" + liner.wall, liner);
   file_->start_appending();
 }
 
@@ -230,6 +262,13 @@ void ResultsFile::append_liner(const std::string& wall, double time, std::span<c
   row.insert(row.end(), pressure.begin(), pressure.end());
   row.insert(row.end(), work.begin(), work.end());
   append("/liners/" + wall, row);
+}
+
+void ResultsFile::append_triangles(const std::string& wall, double time, std::span<const double> pressure,
+                                   std::span<const double> work, std::span<const double> wear) {
+  std::vector<double> row{time};
+  for (const auto& part : {pressure, work, wear}) row.insert(row.end(), part.begin(), part.end());
+  append("/liners/" + wall + "/triangles", row);
 }
 
 void ResultsFile::flush() {

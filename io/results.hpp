@@ -56,10 +56,15 @@ struct CaseRecord {
   std::uint64_t seed = 0;
 };
 
-/// Pressure and work maps of one liner.
+/// Pressure and work maps of one liner: unrolled cells (rows x sectors, a row of sectors after the other),
+/// and triangles.
 struct LinerMap {
   std::string wall;
   int cells;
+  std::vector<double> heights = {}, azimuths = {};  ///< edges of the cells, in the wall's frame [m], [rad]
+  std::vector<double> area = {};                    ///< of the cells [m2]
+  std::vector<double> corners = {};                 ///< of the triangles, nine numbers each [m]; empty: no triangles
+  bool wear = false;                                ///< triangles have a depth worn
 };
 
 /// What results.h5 holds; a list that is empty is not written at all.
@@ -99,6 +104,10 @@ class ResultsFile {
   /// Maps of one liner at `time`, one value a cell: datasets time, pressure [Pa], work [J].
   void append_liner(const std::string& wall, double time, std::span<const double> pressure,
                     std::span<const double> work);
+  /// The same by triangle, from the start to `time`, written once: group triangles of the liner.
+  /// @param wear  depth worn [m]; empty unless LinerMap::wear
+  void append_triangles(const std::string& wall, double time, std::span<const double> pressure,
+                        std::span<const double> work, std::span<const double> wear);
   /// Hands every waiting row to the operating system.
   void flush();
   /// Waits until the disk has every row.

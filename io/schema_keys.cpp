@@ -292,6 +292,8 @@ const std::vector<Key> run_keys = {
     {.path = "coupling", .defaulted = true, .doc = "Exchange between rock and drivetrain."},
     {.path = "coupling.interval", .type = quantity, .dimension = Dimension::time, .fallback = "0.5 ms", .range = positive,
      .doc = "Length of a window; the time step divides it."},
+    {.path = "coupling.residual_limit", .type = quantity, .fallback = "0.02", .range = not_negative,
+     .doc = "Windows are halved while the power that the exchange makes up or loses is more than this share of what it passes; 0: never."},
     {.path = "gravity", .type = vector, .dimension = acceleration, .fallback = "[0, 0, -9.81]", .doc = "Acceleration of gravity."},
     {.path = "numerics", .defaulted = true, .doc = "How it is computed."},
     {.path = "numerics.precision", .type = word, .fallback = "mixed", .words = "mixed|double",
@@ -313,6 +315,13 @@ const std::vector<Key> run_keys = {
      .doc = "Wall-clock time between checkpoints; 0: one at the end only."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
      .doc = "Files of a snapshot: vtp for ParaView; hdf5 adds fields.h5 with an XDMF index."},
+    {.path = "output.liners", .doc = "Maps of pressure and sliding work of every wall but planes, in /liners of results.h5. Without it they cost nothing."},
+    {.path = "output.liners.interval", .type = quantity, .dimension = Dimension::time, .required = true, .range = positive,
+     .doc = "Simulated time between maps; each is the mean over it."},
+    {.path = "output.liners.rows", .type = integer, .fallback = "32", .range = {.low = 1, .high = 1000}, .doc = "Cells of the unrolled map by height."},
+    {.path = "output.liners.sectors", .type = integer, .fallback = "72", .range = {.low = 1, .high = 3600}, .doc = "Cells of the unrolled map by azimuth."},
+    {.path = "output.liners.wear_coefficient", .type = quantity, .range = positive,
+     .doc = "Archard: volume worn / (normal force x sliding way), 1/Pa. Adds the depth worn to the maps by triangle."},
 };
 // clang-format on
 

@@ -24,6 +24,14 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
+Json steady_json(const std::optional<SteadyFigures>& s) {
+  if (!s) return nullptr;
+  return {{"from", number(s->from)},
+          {"crushing_power", number(s->crushing_power)},
+          {"throughput_tph", number(s->throughput_tph)},
+          {"residence_time", number(s->residence_time)}};
+}
+
 }  // namespace
 
 std::string to_string(RunStatus status) {
@@ -71,6 +79,9 @@ std::string to_json(const Summary& s) {
                      {"mass_residual_fraction", number(s.mass_residual_fraction)},
                      {"max_overlap_ratio", number(s.max_overlap_ratio)},
                      {"stalled", s.stalled},
+                     {"choked", s.choked ? Json(*s.choked) : Json(nullptr)},
+                     {"holdup_mass", number(s.holdup_mass)},
+                     {"steady", steady_json(s.steady)},
                      {"drive_events", events}};
   // A title may hold bytes that are no UTF-8; they must not cost the summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

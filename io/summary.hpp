@@ -25,6 +25,14 @@ struct DriveHappening {
   std::string what;
 };
 
+/// Means over the part of a run that showed no drift any more.
+struct SteadyFigures {
+  double from;                           ///< [s]
+  double crushing_power;                 ///< [W]
+  double throughput_tph;                 ///< [t/h]
+  std::optional<double> residence_time;  ///< hold-up / throughput [s]
+};
+
 /// What a run came to. A quantity that the case does not define, or that is not finite, is null in JSON.
 struct Summary {
   RunStatus status = RunStatus::failed;
@@ -47,6 +55,9 @@ struct Summary {
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
   bool stalled = false;
+  std::optional<bool> choked = {};                ///< more rock waits for room than one gyration feeds
+  std::optional<double> holdup_mass = {};         ///< at the end [kg]
+  std::optional<SteadyFigures> steady = {};       ///< none: the run was too short to be steady
   std::vector<DriveHappening> drive_events = {};  ///< in order; empty without a drivetrain
 };
 

@@ -30,6 +30,10 @@ std::string product_lines(const Summary& s) {
   if (s.p80) text += line("product P80", format("%.4g mm", *s.p80 * 1e3));
   if (s.mean_crushing_power) text += line("crushing power", format("%.4g kW, mean", *s.mean_crushing_power / 1e3));
   if (s.specific_energy_kwh_per_t) text += line("specific energy", format("%.4g kWh/t", *s.specific_energy_kwh_per_t));
+  if (s.steady)
+    text += line("steady", format("from %.4g s: %.4g kW, %.4g t/h", s.steady->from, s.steady->crushing_power / 1e3,
+                                  s.steady->throughput_tph));
+  if (s.choked && *s.choked) text += line("feed", "choked: more rock waits than one gyration feeds");
   constexpr std::size_t most_lines = 6;
   for (std::size_t k = 0; k < s.drive_events.size() && k < most_lines; ++k)
     text += line("drive", s.drive_events[k].what + format(" at %.6g s", s.drive_events[k].time));

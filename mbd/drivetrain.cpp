@@ -3,6 +3,7 @@
 
 #include "core/base/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -93,6 +94,26 @@ void Drivetrain::advance(const Window& window, const MantleLoad& load) {
   take_up(window, turn, moved);
   means_.crushing_power = load.work / window.length();
   means_.power_residual = (turn.motor_work - turn.loss_work - load.work - turn.kinetic_gain) / window.length();
+  judge_window(turn, load.work, window.length());
+}
+
+/// Running means over some 16 windows: one impact is no reason.
+void Drivetrain::judge_window(const ShaftTurn& turn, double work, double length) {
+  constexpr double memory = 1.0 / 16;
+  constexpr double most_divisor = 256;
+  if (!(parameters_.residual_limit > 0)) return;
+  const double passed = std::max({std::abs(turn.motor_work), std::abs(work), std::abs(turn.kinetic_gain)}) / length;
+  state_.residual_mean += memory * (std::abs(means_.power_residual) - state_.residual_mean);
+  state_.passed_mean += memory * (passed - state_.passed_mean);
+  ++state_.windows_judged;
+  if (state_.windows_judged < 1 / memory) return;  // since the last change
+  const double rounding = 1e-12 * kinetic_energy() / length;  // of an idle drive
+  const double limit = parameters_.residual_limit * state_.passed_mean + rounding;
+  const double divisor = state_.window_divisor;
+  if (state_.residual_mean > limit && divisor < most_divisor) state_.window_divisor *= 2;
+  if (state_.residual_mean < limit / 16 && divisor > 1) state_.window_divisor /= 2;
+  if (state_.window_divisor == divisor) return;
+  state_.residual_mean = state_.passed_mean = state_.windows_judged = 0;
 }
 
 void Drivetrain::take_up(const Window& window, const ShaftTurn& turn, const ShaftMotion& moved) {

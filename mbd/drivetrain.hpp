@@ -43,6 +43,10 @@ struct DrivetrainState {
   double motor_work = 0;       ///< of the motor on its shaft, since time 0 [J]
   double loss_work = 0;        ///< in bushings, bearings, gear, coupling and brake, since time 0 [J]
   double rock_work = 0;        ///< of the mantle on the rock, as the DEM counted it, since time 0 [J]
+  double window_divisor = 1;   ///< power of 2 by which windows should be shorter than asked
+  double residual_mean = 0;    ///< |power residual|, running mean since the divisor changed [W]
+  double passed_mean = 0;      ///< largest power of the exchange, likewise [W]
+  double windows_judged = 0;   ///< since the divisor changed
   double start_energy = 0;     ///< kinetic, and of the coupling spring, at time 0 [J]
   SwitchState motor{};
   static constexpr std::size_t most_events = 32;
@@ -100,6 +104,10 @@ class Drivetrain {
   double kinetic_energy() const;                                         ///< now, with the coupling spring's [J]
   /// Motor work - losses - rock work - gain of kinetic energy, since time 0 [J].
   double energy_residual() const;
+  /// How many times shorter than the case asks the next window should be: a power of 2. It doubles while
+  /// the running mean of |power residual| / exchanged power is above residual_limit, and falls again once it has been
+  /// below a sixteenth of it for as long (the residual goes with the square of the window).
+  int window_divisor() const { return static_cast<int>(state_.window_divisor); }
   bool stuck() const { return state_.direction == 0; }     ///< stands still now
   bool stalled() const { return state_.stall_time >= 0; }  ///< forward motion has come to a halt at least once
   std::optional<double> stall_time() const;                ///< of the first stall [s]
@@ -113,6 +121,7 @@ class Drivetrain {
   ShaftLoad last_load() const;
   void take_up(const Window& window, const ShaftTurn& turn, const ShaftMotion& motion);
   void keep(const DriveEvent& event);
+  void judge_window(const ShaftTurn& turn, double work, double length);
 
   DrivetrainParameters parameters_;
   Shaft shaft_;

@@ -46,6 +46,7 @@ struct DrivetrainParameters {
   CouplingSpring spring{};
   VoltageInput voltage{};
   ProtectionParameters protection{};
+  double residual_limit = 0;  ///< share of the exchanged power beyond which windows are halved; 0: never [-]
 
   /// J_eff = J_eccentric + i^2 J_motor, seen at the eccentric [kg m2].
   double effective_inertia() const { return eccentric_inertia + gear_ratio * gear_ratio * motor_inertia; }

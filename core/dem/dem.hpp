@@ -78,6 +78,15 @@ struct WallLoad {
 template <>
 struct RowOf<WallLoad> : MadeOf<double> {};
 
+/// What one particle did to one wall over a window, or the part of it between two rebuilds of the lists.
+struct WallImpulse {
+  Index wall;
+  Vec3d centre;   ///< of the particle at the end, body frame of the wall [m]
+  double radius;  ///< [m]
+  Vec3d impulse;  ///< on the wall, body frame [N s]
+  double slip;    ///< lost in sliding friction [J]
+};
+
 /// Energies of the scene [J]. The first four are states, the others add up since the start.
 struct EnergyTerms {
   double kinetic = 0, potential = 0, contact_elastic = 0, bond_elastic = 0;
@@ -147,6 +156,9 @@ class Dem {
   virtual ParticleSnapshot particles() const = 0;      ///< now, fragments labelled
   virtual BondSnapshot bonds() const = 0;              ///< now
   virtual std::vector<Breakage> take_breakages() = 0;  ///< since the last call, ordered by time, i, j
+  /// Since the last call; nothing unless Scene::wall_impulses. Their sum is that of the walls' loads, but for half of
+  /// the last step's, which those count in the next window.
+  virtual std::vector<WallImpulse> take_wall_impulses() = 0;
 
   /// What must be kept to go on bit for bit, between windows; on any executor, in this precision.
   virtual SavedState save() const = 0;

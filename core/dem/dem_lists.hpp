@@ -200,6 +200,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::book_walls() {
   const WallView<Real> walls = wall_view(walls_);
   if (walls.count == 0) return;
+  if (scene_.wall_impulses) note_impulses(walls_.sums);
   for (Index w = 0; w < surfaces_.count(); ++w) {
     WallSum& sum = wall_sums_[static_cast<std::size_t>(w)];
     sum = sum + exec_.template reduce<WallSum>("book walls", walls.count, SumWall{walls.entries, walls.sums, w});
@@ -211,9 +212,28 @@ void DemSolver<Exec, Real>::book_walls() {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::book_later() {
   const WallView<Real> walls = wall_view(walls_);
+  if (scene_.wall_impulses) note_impulses(walls_.later);
   for (Index w = 0; w < surfaces_.count(); ++w)
     wall_sums_[static_cast<std::size_t>(w)] =
         exec_.template reduce<WallSum>("book walls", walls.count, SumWall{walls.entries, walls.later, w});
+}
+
+/// Keeps what each entry has booked, in the frame of its wall.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::note_impulses(const Buffer<WallSum>& booked) {
+  const auto& entries = Exec::host(walls_.entries);
+  const auto& sums = Exec::host(booked);
+  const auto& place = Exec::host(particles_.place);
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    const WallSum& s = sums[n];
+    if (s.force[0] == 0 && s.force[1] == 0 && s.force[2] == 0) continue;
+    const WallEntry& entry = entries[n];
+    const WallPose& pose = poses_now_[static_cast<std::size_t>(entry.wall)];
+    const Sphere& sphere = place[static_cast<std::size_t>(entry.particle)];
+    const Vec3d impulse = wall_quantum * Vec3d{double(s.force[0]), double(s.force[1]), double(s.force[2])};
+    impulses_.push_back({entry.wall, to_body(pose, sphere.x), sphere.radius, rotate_back(pose.turn, impulse),
+                         wall_quantum * static_cast<double>(s.slip)});
+  }
 }
 
 }  // namespace gyro

@@ -35,6 +35,7 @@ class DemSolver final : public Dem {
   ParticleSnapshot particles() const override;
   BondSnapshot bonds() const override;
   std::vector<Breakage> take_breakages() override { return std::exchange(breakages_, {}); }
+  std::vector<WallImpulse> take_wall_impulses() override { return std::exchange(impulses_, {}); }
   std::vector<std::pair<std::string, double>> phase_seconds() const override { return exec_.timer().seconds(); }
   SavedState save() const override;
   void restore(const SavedState& saved) override;
@@ -89,6 +90,7 @@ class DemSolver final : public Dem {
   void list_walls();
   void book_walls();
   void book_later();
+  void note_impulses(const Buffer<WallSum>& booked);
 
   /// Rock on its way in, on the host.
   struct Arrivals {
@@ -188,6 +190,7 @@ class DemSolver final : public Dem {
   EnergyTerms booked_;          ///< of what has left, and what events and walls added
   Counts counts_total_;
   std::vector<Breakage> breakages_;
+  std::vector<WallImpulse> impulses_;
 };
 
 }  // namespace gyro

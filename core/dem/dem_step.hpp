@@ -94,6 +94,7 @@ void DemSolver<Exec, Real>::prime() {
   contact_forces(0, left_over());
   gather(true, false);
   book_walls();
+  impulses_.clear();
   book_later();  // in place of the sums: no time has passed, nothing was done
   booked_.exchanged += contact_sums().elastic;
 }

@@ -125,6 +125,7 @@ struct Scene {
   double neighbour_margin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
   bool rolling = false;         ///< any pair has rolling friction
   StepLimits limits;
+  bool wall_impulses = false;  ///< Dem::take_wall_impulses() has something to give
 };
 
 }  // namespace gyro

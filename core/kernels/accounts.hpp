@@ -199,6 +199,7 @@ GYRO_HD inline WallSum operator+(const WallSum& a, const WallSum& b) {
     s.moment[k] = a.moment[k] + b.moment[k];
   }
   s.work = a.work + b.work;
+  s.slip = a.slip + b.slip;
   return s;
 }
 

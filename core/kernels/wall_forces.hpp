@@ -20,6 +20,7 @@ GYRO_HD inline WallTouches touch_wall(const WallSurface& surface, const SegmentR
 struct WallTotal {
   Vec3d force{0, 0, 0}, moment{0, 0, 0};  ///< on the particle, moment about the world's origin
   double power = 0;                       ///< of the wall on the particle [W]
+  double slip_power = 0;                  ///< lost in sliding friction [W]
 
   GYRO_HD void add(const Vec3d& on_particle, const Vec3d& point, const Vec3d& wall_velocity) {
     force += on_particle;
@@ -40,6 +41,7 @@ struct WallTotal {
     sum.moment[1] -= quanta(scale * moment.y);
     sum.moment[2] -= quanta(scale * moment.z);
     sum.work += quanta(scale * power);
+    sum.slip += quanta(scale * slip_power);
   }
 
  private:
@@ -122,6 +124,7 @@ struct WallForces {
       total.add(cast<double>(force), point, wall_velocity);
       total.add_couple(cast<double>(couple), pose.spin);
     }
+    total.slip_power = static_cast<double>(result.slipped) / dt;
     now.count = touches.count;
     walls.memory[n] = now;
     walls.result[n] = result;

@@ -46,6 +46,7 @@ struct WallSum {
   std::int64_t force[3] = {0, 0, 0};   ///< sum over steps [quantum of N s]
   std::int64_t moment[3] = {0, 0, 0};  ///< about the world's origin
   std::int64_t work = 0;               ///< of the wall on the rock
+  std::int64_t slip = 0;               ///< lost in sliding friction
 };
 inline constexpr double wall_quantum = 1.0 / (1LL << 44);  ///< [N s], [N m s], [J]
 

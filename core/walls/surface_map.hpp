@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/dem.hpp"
+#include "core/walls/mesh_grid.hpp"
+
+#include <vector>
+
+namespace gyro {
+
+/// A surface unrolled about its z axis: rows of equal height from the lowest point to the highest, sectors of
+/// equal azimuth from 0 on. Cell = row x sectors + sector.
+struct UnrolledGrid {
+  int rows = 32, sectors = 72;
+  double low = 0, high = 0;  ///< of the surface [m]
+
+  int cells() const { return rows * sectors; }
+  int cell_of(const Vec3d& point) const;
+  double row_height() const { return (high - low) / rows; }
+};
+
+/// What rock has done to the pieces of a surface.
+struct SurfaceSums {
+  std::vector<double> impulse;  ///< normal, into the wall [N s]
+  std::vector<double> work;     ///< of sliding friction [J]
+
+  explicit SurfaceSums(std::size_t pieces) : impulse(pieces, 0.0), work(pieces, 0.0) {}
+  void add(std::size_t piece, double push, double slip) {
+    impulse[piece] += push;
+    work[piece] += slip;
+  }
+};
+
+/// Where rock presses on a liner and slides along it, per triangle and unrolled. The wall's frame is used, so that
+/// the map of a mantle turns with it. A sphere's impulse is given to the triangle nearest to its centre,
+/// with its part along the line from the nearest point to the centre.
+class SurfaceMap {
+ public:
+  /// @param mesh  the surface; profiles are mapped on their picture
+  SurfaceMap(const MeshShape& mesh, int rows, int sectors);
+
+  void add(const WallImpulse& impulse);
+  /// What has been added since the last call, by cell.
+  SurfaceSums take_cells();
+
+  const UnrolledGrid& grid() const { return grid_; }
+  const std::vector<double>& cell_area() const { return cell_area_; }          ///< [m2]
+  const std::vector<double>& triangle_area() const { return triangle_area_; }  ///< [m2]
+  /// Those of the mesh that have an area, in their order.
+  const std::vector<WallTriangle>& triangles() const { return mesh_.triangles(); }
+  const SurfaceSums& by_triangle() const { return by_triangle_; }  ///< since the start
+  void restore(SurfaceSums by_triangle, SurfaceSums cells);
+  const SurfaceSums& cells() const { return cells_; }
+
+ private:
+  void measure_cells();
+
+  MeshGrid mesh_;
+  UnrolledGrid grid_;
+  std::vector<double> cell_area_, triangle_area_;
+  SurfaceSums by_triangle_, cells_;
+};
+
+/// Archard: wear depth = coefficient x normal force x sliding way / area = coefficient x work / (friction x area).
+/// @param coefficient  volume worn / (normal force x way) [1/Pa]
+inline double wear_depth(double coefficient, double work, double friction, double area) {
+  return friction > 0 && area > 0 ? coefficient * work / (friction * area) : 0;
+}
+
+}  // namespace gyro
