@@ -12,6 +12,6 @@ gyro_library(gyro_case
           schema_read.cpp schema_values.cpp
           schema_write.cpp units.cpp yaml_tree.cpp
   PUBLIC gyro_mbd
-  PRIVATE yaml-cpp::yaml-cpp nlohmann_json::nlohmann_json)
+  PRIVATE gyro_geometry yaml-cpp::yaml-cpp nlohmann_json::nlohmann_json)
 # GCC 12 sees overlapping copies in `"text" + string` that are none (GCC bug 105651).
 target_compile_options(gyro_case PUBLIC $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)

@@ -35,6 +35,7 @@ class Restarting final : public Dem {
   ParticleSnapshot particles() const override { return dem_->particles(); }
   BondSnapshot bonds() const override { return dem_->bonds(); }
   std::vector<Breakage> take_breakages() override { return dem_->take_breakages(); }
+  std::vector<WallImpulse> take_wall_impulses() override { return dem_->take_wall_impulses(); }
   SavedState save() const override { return dem_->save(); }
   void restore(const SavedState& saved) override { dem_->restore(saved); }
 
