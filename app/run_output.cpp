@@ -4,6 +4,7 @@
 #include "core/walls/motion.hpp"
 
 #include <cmath>
+#include <string_view>
 
 namespace gyro {
 namespace {
@@ -24,6 +25,7 @@ std::vector<Channel> performance_channels() {
 }
 
 constexpr const char* rows_prefix = "results";
+constexpr std::string_view rows_suffix = "/rows";  // a group of results.h5 may hold another
 constexpr const char* sums_prefix = "sums/";
 
 /// Columns whose names begin so, by the rest of their names.
@@ -37,7 +39,8 @@ std::map<std::string, std::vector<T>> columns_below(const SavedState& saved, con
 
 ResultsRows saved_rows(const SavedState& saved) {
   ResultsRows rows;
-  for (const auto& [group, count] : columns_below<std::int64_t>(saved, rows_prefix)) rows[group] = count.at(0);
+  for (const auto& [name, count] : columns_below<std::int64_t>(saved, rows_prefix))
+    rows[name.substr(0, name.size() - rows_suffix.size())] = count.at(0);
   return rows;
 }
 
@@ -246,7 +249,7 @@ double RunOutput::wall_seconds() const {
 }
 
 void RunOutput::save(SavedState& to) const {
-  for (const auto& [group, rows] : results_.rows()) to.put_one(rows_prefix + group, rows);
+  for (const auto& [group, rows] : results_.rows()) to.put_one(rows_prefix + group + std::string(rows_suffix), rows);
   for (const auto& [name, sum] : sums_) to.put(sums_prefix + name, sum);
   to.put("output/numbers", std::vector<double>{summed_time_, discharged_before_, crushing_work_, time_, wall_seconds(),
                                                input_.output.series, input_.output.snapshots});

@@ -103,7 +103,7 @@ TEST_CASE("A run that the guard stops has exit code 4 and says why") {
   INFO(outcome.err);
   CHECK(outcome.code == 4);
   CHECK(summary_of(place.path() / "r")["status"] == "stopped");
-  CHECK(summary_of(place.path() / "r")["reason"].get<std::string>().find("particle moves by") != std::string::npos);
+  CHECK(summary_of(place.path() / "r")["reason"].get<std::string>().find("particle 2 moves by") != std::string::npos);
 }
 
 TEST_CASE("Standard output holds the summary alone, nothing with --quiet") {

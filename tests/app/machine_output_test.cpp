@@ -75,18 +75,3 @@ TEST_CASE("export csv writes the series with units in the names") {
   CHECK(first == header);
   CHECK(place.gyrosim("export csv nothing").code == 2);
 }
-
-TEST_CASE("What happened to the drive is in the summary") {
-  const Workplace place;
-  const Outcome outcome = place.gyrosim("run " + crush +
-                                        " --until '20 ms' --out trip --set output.snapshots=0 --set "
-                                        "'drivetrain.protection={instantaneous_ratio: 0.001, rated_torque: 6 N m}'");
-  INFO(outcome.err);
-  REQUIRE(outcome.code == 0);
-  const nlohmann::json summary = summary_of(place.path() / "trip");
-  REQUIRE(summary["drive_events"].size() == 1);
-  CHECK(summary["drive_events"][0]["event"] == "instantaneous trip");
-  CHECK(summary["drive_events"][0]["time"].get<double>() > 0);
-  CHECK(summary["stalled"] == false);
-  CHECK(outcome.out.find("instantaneous trip at ") != std::string::npos);
-}

@@ -50,7 +50,6 @@ TEST_CASE("What shows only when the case is put together is located and writes n
       {"--set 'feed.at=[0, 0, 0.005]'", "platen.yaml:21:1: ", "fixed rock"},
       {"--set walls.lower.plane=null --set walls.lower.stl=bad.stl", "platen.yaml:23:3: ", "bad.stl"},
       {"--set walls.lower.plane=null --set walls.lower.stl=none.stl", "--set:2:1", "none.stl"},
-      {"--set 'rocks.fill={sizes: [4 mm, 6 mm]}'", "--set:1:", "rocks.fill.ratio is accepted"},
   }));
   const Workplace place;
   std::filesystem::copy(GYRO_APP_CASES "/platen.yaml", place.path());

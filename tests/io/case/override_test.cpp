@@ -76,7 +76,7 @@ TEST_CASE("Forms that do not fit together are refused") {
   };
   refused("rocks.fill={ratio: 6, exponent: 0.8}", "rocks.fill.exponent does not go with rocks.fill.ratio");
   refused("rocks.shapes={procedural: 3, corners: 40}", "rocks.shapes.corners does not go with rocks.shapes.procedural");
-  refused("rocks.shapes={procedural: 3, roughness: 2}", "at most 0.3 is accepted");
+  refused("rocks.shapes={procedural: 3, roughness: 2}", "at least 0 and at most 0.3");
   refused("rocks.fill={sizes: [45 mm, 8 mm]}", "does not rise");
   refused("rocks.fill={ratio: 1}", "at least 2 and at most 50");
   refused("bonds.strength_scatter={distribution: weibull, modulus: 4, range: [0.4, 1.6]}", "range does not belong to");
