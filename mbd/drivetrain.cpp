@@ -106,7 +106,7 @@ void Drivetrain::judge_window(const ShaftTurn& turn, double work, double length)
   state_.residual_mean += memory * (std::abs(means_.power_residual) - state_.residual_mean);
   state_.passed_mean += memory * (passed - state_.passed_mean);
   ++state_.windows_judged;
-  if (state_.windows_judged < 1 / memory) return;  // since the last change
+  if (state_.windows_judged < 1 / memory) return;             // since the last change
   const double rounding = 1e-12 * kinetic_energy() / length;  // of an idle drive
   const double limit = parameters_.residual_limit * state_.passed_mean + rounding;
   const double divisor = state_.window_divisor;
