@@ -13,6 +13,9 @@ SUFFIXES = (".hpp", ".cpp", ".cuh", ".cu", ".py", ".sh", ".cmake")
 LONGEST = 400  # lines: one idea a file, about 300 as a rule
 UNFINISHED = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
 
+# ctest passes these names on in a list and on a command line: such a test would pass without being run.
+LOST_TEST = re.compile(r'TEST_CASE\("(-|[^"]*;)')
+
 
 def problems_of(path, text):
     """Problems of one file: (line, what)."""
@@ -26,6 +29,8 @@ def problems_of(path, text):
     for number, line in enumerate(lines, 1):
         if UNFINISHED.search(line):
             yield number, "is marked unfinished; finish it, or say in plain words what is limited"
+        if LOST_TEST.search(line):
+            yield number, "is a test that ctest cannot name; take out the semicolon or the leading dash"
         if line != line.rstrip():
             yield number, "ends in blanks"
         if line.startswith("\t"):

@@ -130,7 +130,7 @@ TEST_CASE("Margins of neighbour lists change no value, the step does") {
   CHECK(a.simulated_seconds == Approx(5e-3));
 }
 
-TEST_CASE("bench accuracy --json prints points of the documented shape; margins have an error of exactly 0") {
+TEST_CASE("bench accuracy --json prints points of the documented shape, margins have an error of exactly 0") {
   const Workplace place;
   const AccuracyScene scene = short_platen(place.path());
   const std::vector<std::string> before = place.listing();

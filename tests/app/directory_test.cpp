@@ -30,7 +30,7 @@ TEST_CASE("Without --out every run gets a new directory, named after its case") 
   CHECK(fs::exists(place.path() / "runs/box-002/summary.json"));
 }
 
-TEST_CASE("A run leaves results, log, resolved case and summary; the resolved case runs alike") {
+TEST_CASE("A run leaves results, log, resolved case and summary, the resolved case runs alike") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + box + " --until '20 ms' --out a --set case.seed=7").code == 0);
   for (const char* name : {"results.h5", "summary.json", "log.txt", "case.yaml", "particles.pvd", "walls.pvd"})
@@ -67,7 +67,7 @@ TEST_CASE("The time of --until is reached, whatever the windows, in any unit and
   }
 }
 
-TEST_CASE("A signal ends a run at its window, files closed, exit code 75; the next call asks what to do") {
+TEST_CASE("A signal ends a run at its window, files closed, exit code 75, the next call asks what to do") {
   const std::string signal = GENERATE(as<std::string>{}, "TERM", "INT", "USR1");
   const Workplace place;
   CHECK(place.gyrosim_with_signal("run " + endless + " --out r --quiet", signal, 1).code == 75);

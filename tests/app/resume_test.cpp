@@ -134,7 +134,7 @@ TEST_CASE("The cadence of the output may change when a run goes on") {
   CHECK_FALSE(fs::exists(place.path() / "r/snapshots/particles_000003.vtp"));
 }
 
-TEST_CASE("Only the same case goes on; what differs is named with its place, and nothing changes") {
+TEST_CASE("Only the same case goes on, what differs is named with its place, and nothing changes") {
   const Workplace place;
   place.write("start.csv", "id,x,y,z,r\n1,0,0,0.05,0.01\n2,0,0,0.08,0.01\n");
   const std::string run = box + "--out r --set particles.file=" + (place.path() / "start.csv").string();
@@ -151,7 +151,7 @@ TEST_CASE("Only the same case goes on; what differs is named with its place, and
   refused("--set numerics.precision=double", "numerics.precision is double");
   refused("--set numerics.precision=double", "--set:2:1: ");
   refused("--set case.seed=77", "case.seed is 77");
-  refused("--set 'gravity=[0, 0, -5]'", "gravity is [0, 0, -5.0]");
+  refused("--set 'gravity=[0, 0, -5]'", "gravity is [0, 0, -5]");
   place.write("start.csv", "id,x,y,z,r\n1,0,0,0.05,0.01\n2,0,0,0.09,0.01\n");
   refused("", "start.csv: has changed");
   place.write("start.csv", "id,x,y,z,r\n1,0,0,0.05,0.01\n2,0,0,0.08,0.01\n");

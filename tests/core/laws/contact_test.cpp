@@ -95,7 +95,7 @@ TEST_CASE("Stored energy of a contact is the work of Hertz's force", "[laws][con
         Approx(25 / (16 * shear * std::sqrt(radius * depth))).epsilon(1e-3));
 }
 
-TEST_CASE("A sticking contact is Mindlin's spring; a sliding one is Coulomb's limit exactly", "[laws][contact]") {
+TEST_CASE("A sticking contact is Mindlin's spring, a sliding one is Coulomb's limit exactly", "[laws][contact]") {
   const double overlap = 1e-5, limit = 0.5 * hertz(overlap), stiffness = 8 * shear * std::sqrt(radius * overlap);
   Path path;
   path.go(overlap, {0, 0, 0}, 1);
