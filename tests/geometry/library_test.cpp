@@ -62,7 +62,8 @@ TEST_CASE("A library has the sizes, masses and frames it promises") {
     CHECK(mass == Approx(2600 * std::numbers::pi / 6 * std::pow(rock.diameter, 3)));
     CHECK(rock.inertia_error < 0.06);
     CHECK(rock.centre_error > 0);
-    CHECK(rock.centre_error < 0.025);
+    // Independent random points in a ball would be off by sqrt(3/20) diameters over the root of their number.
+    CHECK(rock.centre_error < std::sqrt(0.15 / static_cast<double>(rock.centres.size())));
     CHECK(norm(centre_of_mass(rock.centres, rock.radii)) < 1e-12 * rock.diameter);
     CHECK(rock.packing_fraction > 0.58);
     CHECK(rock.packing_fraction < 0.66);
