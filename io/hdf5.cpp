@@ -80,6 +80,12 @@ File File::open(const std::filesystem::path& path) {
   return {own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path.string(), "open the file"), path.string()};
 }
 
+File File::open_closed(const std::filesystem::path& path) {
+  silence_library();
+  const Handle access = access_properties(path.string());
+  return {own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path.string(), "open the file"), path.string()};
+}
+
 File File::modify(const std::filesystem::path& path) {
   silence_library();
   // What `h5clear -s --increment=0` does: a writer that was killed has left the mark "open for

@@ -96,6 +96,9 @@ class File {
   static File create(const std::filesystem::path& path);
   /// Opens for reading, also a file that is being written or whose writer was killed.
   static File open(const std::filesystem::path& path);
+  /// Opens for reading a file that nobody writes: what is damaged is refused at once, where open() would try again
+  /// and again, in case a writer had just not finished.
+  static File open_closed(const std::filesystem::path& path);
   /// Opens a closed file, or one whose writer was killed, to change it.
   static File modify(const std::filesystem::path& path);
 

@@ -90,7 +90,7 @@ SavedState read_state(const fs::path& path) {
   if (!fs::exists(path)) refuse(path, "there is no such checkpoint; the directory of a run that wrote one is accepted");
   std::uint64_t format = 0;
   try {
-    const hdf5::File file = hdf5::File::open(path);
+    const hdf5::File file = hdf5::File::open_closed(path);
     format = file.integer_attribute("/", "format");
     if (format == state_format) {
       SavedState state;
