@@ -28,14 +28,15 @@ def parse_arguments():
 
 
 def read(file):
-    """Points by scene and metric, in the order of the file; margins, which change nothing, are left out."""
+    """Points by scene and metric, in the order of the file; no margins, which change nothing, and no names."""
     try:
         points = json.loads(file.read_text(encoding="utf-8"))["points"]
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"plot_accuracy.py: {file} cannot be read ({error}); what `gyrosim bench accuracy --json` prints is accepted")
     panels = {}
     for point in points:
-        if point.get("against", "reference") == "reference" and point["error"] is not None:
+        drawn = point.get("against", "reference") == "reference" and point.get("family") != "identity"
+        if drawn and point["error"] is not None:
             panels.setdefault(point["scene"], {}).setdefault(point["metric"], []).append(point)
     return panels
 
@@ -69,7 +70,7 @@ def draw(axis, metric, points, edge):
     if noise:
         axis.axvspan(edge / 1.5, noise, color="#cccccc", alpha=0.5, linewidth=0)
     axis.set_title(metric.replace("_", " "), fontsize=8)
-    axis.tick_params(labelsize=6)
+    axis.tick_params(which="both", labelsize=6)
     axis.grid(color="#dddddd", linewidth=0.5)
 
 
