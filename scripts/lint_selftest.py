@@ -134,8 +134,8 @@ class TextLint(LintTest):
         for path, text, line in (
             ("core/a.hpp", "#pragma once\n", 1),
             ("core/a.cpp", SPDX + "int a;\n" * text_lint.LONGEST, text_lint.LONGEST + 1),
-            ("tests/a.cpp", SPDX + 'TEST_CASE("One; two") {}\n', 2),
-            ("tests/a.cpp", SPDX + 'TEST_CASE("--quiet is quiet") {}\n', 2),
+            ("tests/a.cpp", SPDX + 'TEST_' + 'CASE("One; two") {}\n', 2),
+            ("tests/a.cpp", SPDX + 'TEST_' + 'CASE("--quiet is quiet") {}\n', 2),
             ("core/a.hpp", SPDX + "int a;\n", 1),
             ("core/a.cpp", SPDX + "int a;  // " + "TO" + "DO: more\n", 2),
             ("core/a.cpp", SPDX + "int a; \n", 2),
