@@ -17,6 +17,10 @@ struct LedgerLimits {
   StepLimits step;
   double energy_fraction = 0.05;  ///< residual / work done; of the largest energy seen while there is less work than
   double energy_floor = 1e-3;     ///< this share of the largest kinetic + elastic energy seen [-]
+  /// Step of the contacts, held ones included [s]. Their forces and the energies are up to one of it apart, so that the
+  /// balance may also be off by `lag_steps` times the work of such a step: much of all work just after the first touch.
+  double contact_step = 0;
+  double lag_steps = 3;  ///< a force that grows as t^(3/2) does 5/2 of its mean work in the last step
 };
 
 /// Particles that came, went and are there.
@@ -50,6 +54,7 @@ class Ledger {
   void restore(const SavedState& from);
 
  private:
+  double work() const;  ///< that walls and gravity have done or taken [J]
   std::string passed_limit() const;
   std::optional<std::string> verdict(double time) const;
 
@@ -60,6 +65,7 @@ class Ledger {
   EnergyTerms energy_;
   Extremes extremes_;
   double potential_before_ = 0, gravity_work_ = 0, gravity_turnover_ = 0, largest_state_ = 0, worst_overlap_ = 0;
+  double time_ = 0, work_before_ = 0, power_ = 0;  ///< end of the last window; work until then; mean power in it
 };
 
 }  // namespace gyro

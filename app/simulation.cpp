@@ -25,13 +25,17 @@ std::vector<std::string> wall_names(const Scene& scene) {
   return names;
 }
 
+LedgerLimits ledger_limits(const Scene& scene) {
+  return {.step = scene.limits, .contact_step = scene.hold * scene.dt};
+}
+
 }  // namespace
 
 Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem)
     : input_(input),
       assembly_(assembly),
       dem_(std::move(dem)),
-      ledger_({.step = assembly.scene.limits}, wall_names(assembly.scene)) {
+      ledger_(ledger_limits(assembly.scene), wall_names(assembly.scene)) {
   make_parts();
   blaming("particles", [&] { put_in(assembly.start); });
   for (const double mass : dem_->particles().mass) start_mass_ += mass;
@@ -44,7 +48,7 @@ Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_
     : input_(input),
       assembly_(assembly),
       dem_(std::move(dem)),
-      ledger_({.step = assembly.scene.limits}, wall_names(assembly.scene)) {
+      ledger_(ledger_limits(assembly.scene), wall_names(assembly.scene)) {
   make_parts();
   restore(saved);
 }

@@ -18,10 +18,6 @@
 namespace gyro::bench {
 namespace {
 
-// Before this, hardly any work has been done, and the guard's energy balance, which is relative to the work, says
-// nothing [s].
-constexpr double guard_begins = 1e-3;
-
 /// Processor time of the calling thread [s]: what a step costs, whoever else uses the machine.
 double thread_seconds() {
   timespec now{};
@@ -114,14 +110,13 @@ MemberResult run_member(const Member& member) {
   result.time_step_limit = assembly.step.limit;
   const double end = input.time.duration - 1e-6 * assembly.step.per_window * assembly.step.dt;
   const double start = thread_seconds();
-  const auto sound = [&] { return !simulation.verdict() || simulation.time() < guard_begins; };
-  while (simulation.time() < end && sound()) {
+  while (simulation.time() < end && !simulation.verdict()) {
     run.window();
     if (member.setting.to_first_break && run.first_break.seen()) break;
   }
   result.cpu_seconds = thread_seconds() - start;
   result.simulated_seconds = simulation.time();
-  if (!sound()) result.stopped = simulation.verdict();
+  result.stopped = simulation.verdict();
   if (!result.stopped) result.values = values_of(run, input);
   return result;
 }

@@ -116,12 +116,12 @@ double limit(int n, const BondParameters& bonds) {
 }
 
 /// A rock at 100 rad/s for ten turns at 0.8 of the limit. Layers at x = +-d/2, +-3d/2 pull outwards with
-/// m w^2 |x|: the bonds in the middle carry 2 m w^2 d, and none more. Damping sees velocities of mid-step along the
-/// normal of the step's end, and so takes up a share c w/(2 kn A) w dt L/stretch of the pull: 0.6 % here.
+/// m w^2 |x|: the bonds in the middle carry 2 m w^2 d, and none more. Velocities of mid-step on the span of the step's
+/// end would be damped, and take up 2.4 % of the pull.
 void no_spurious_stress(Recorder& out) {
   constexpr double spin = 100;
   BondParameters bonds = paper_bonds();
-  bonds.damping = 0.05;
+  bonds.damping = 0.2;
   Stage stage(bonded_scene(0.8 * limit(4, bonds), bonds), out.loads());
   NewRock rock = lattice(0, 4, grain / 4);
   add_rigid_motion(rock, {0, 0, 0}, {0, 0, spin});
@@ -135,7 +135,7 @@ void no_spurious_stress(Recorder& out) {
     stage.advance(turn / 10);
     for (const double r : stage.dem().bonds().stress_ratio) largest = std::max(largest, r);
   }
-  out.relative("largest-stress", largest, ratio, {0.01, 0.01}, "2 m w^2 d/(pi Rb^2)");
+  out.relative("largest-stress", largest, ratio, {1e-3, 1e-3}, "2 m w^2 d/(pi Rb^2)");
   out.absolute("broken-bonds", 144 - static_cast<double>(stage.dem().counts().bonds_intact), 0, {0, 0},
                "below the strength");
 }

@@ -17,7 +17,7 @@ struct BondLaw {
   T shear_strength;    ///< tau_c [Pa]
   T damping;           ///< xi, fraction of critical of each mode of the bond [-]
   T friction;          ///< mu, after failure [-]
-  T dt;                ///< time step, for the dissipated work [s]
+  T dt;                ///< time step: velocities are dt/2 older than places [s]
 };
 
 /// Section and strength of one bond.
@@ -31,7 +31,7 @@ struct BondSection {
   T length;        ///< L0 [m]
 };
 
-/// Velocities of the two ends of a bond. World frame.
+/// Velocities of the two ends of a bond, half a step before their places. World frame.
 template <class T>
 struct BondRates {
   Vec3<T> velocity;  ///< v_j - v_i [m/s]
@@ -47,7 +47,7 @@ struct BondLoad {
   T tension_ratio;   ///< tensile stress / strength [-]
   T shear_ratio;     ///< shear stress / strength [-]
   T elastic;         ///< stored energy [J]
-  T damped;          ///< work lost to damping in this step [J]
+  T damped;          ///< work lost to damping in this step: of its loads on the ends' velocities [J]
 };
 
 namespace bond_detail {
@@ -72,10 +72,17 @@ GYRO_HD T shear_stiffness(const BondLaw<T>& law, const BondSection<T>& b) {
   return law.shear_stiffness + law.shear_modulus / b.length;
 }
 
-/// Velocity of j's side of the section relative to i's side [m/s].
+/// Velocity of j's side of the section relative to i's side [m/s], for a span that the two ends carry.
 template <class T>
 GYRO_HD Vec3<T> slide_velocity(const BondRates<T>& r, T arm, const Vec3<T>& span) {
   return r.velocity - cross(arm * r.spin_i + (T(1) - arm) * r.spin_j, span);
+}
+
+/// The span half a step ago, when velocities were what they are: with the present one a bond that turns as a rigid body
+/// would be damped. Work goes with the present span, about which the moments are taken.
+template <class T>
+GYRO_HD Vec3<T> span_of_rates(const BondLaw<T>& law, const BondRates<T>& r, const Vec3<T>& span) {
+  return span - (T(0.5) * law.dt) * r.velocity;
 }
 
 }  // namespace bond_detail
@@ -106,7 +113,7 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
   const Vec3<T> moment = -(second * (ks + ks) * s.twist) * s.normal - (second * kn) * s.bend;
 
   const Vec3<T> span = s.length * s.normal;
-  const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, span);
+  const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, bond_detail::span_of_rates(law, rates, span));
   const T slide_n = dot(slide, s.normal);
   const Vec3<T> slide_s = slide - slide_n * s.normal;
   const Vec3<T> roll = rates.spin_j - rates.spin_i;
@@ -121,9 +128,11 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
   const T c_b = root_n * half_arm, c_t = root_s * half_arm * T(1.4142135623730951);
 
   BondLoad<T> out;
-  out.force = (area * stiff) * s.shear - (area * tension + c_n * slide_n) * s.normal - c_s * slide_s;
+  const Vec3<T> drag = (c_n * slide_n) * s.normal + c_s * slide_s;
+  out.force = (area * stiff) * s.shear - (area * tension) * s.normal - drag;
   bond_detail::set_moments(out, b.arm, span, moment - (c_t * roll_n) * s.normal - c_b * roll_s);
-  out.damped = law.dt * (c_n * slide_n * slide_n + c_s * norm2(slide_s) + c_t * roll_n * roll_n + c_b * norm2(roll_s));
+  out.damped = law.dt * (dot(drag, bond_detail::slide_velocity(rates, b.arm, span)) + c_t * roll_n * roll_n +
+                         c_b * norm2(roll_s));
 
   const T shear2 = norm2(s.shear), bend2 = norm2(s.bend);
   out.tension_ratio = (tension + kn * b.radius * sqrt(bend2)) / (law.tensile_strength * b.strength);
@@ -162,9 +171,11 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
 
   const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, span);
   const T slide_n = dot(slide, s.normal);
+  const Vec3<T> span_then = bond_detail::span_of_rates(law, rates, span);
+  const T part_n = dot(bond_detail::slide_velocity(rates, b.arm, span_then), s.normal);
   const T c_n = (law.damping + law.damping) * sqrt(kn * area) * b.sqrt_mass;
   const T spring = positive(-(kn * area * s.stretch));
-  const T push = select(s.stretch < T(0), positive(spring - c_n * slide_n), T(0));
+  const T push = select(s.stretch < T(0), positive(spring - c_n * part_n), T(0));
 
   const T gamma2 = norm2(s.shear);
   const T stiff = area * ks * b.length * (b.length / s.length) * s.along;

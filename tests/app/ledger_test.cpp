@@ -50,6 +50,22 @@ TEST_CASE("The guard sees a balance that does not close without any work") {
   }
 }
 
+TEST_CASE("The guard knows that held contacts lag, and by how much") {
+  // A force F t^(3/2) that begins at t = 0: its work is 2/5 F t^(5/2); the balance is off by that of the last contact
+  // step.
+  const double held = GENERATE(0.0, 2e-6), share = GENERATE(0.9, 3.0);
+  const double window = 20e-6, force = 1e9;
+  LedgerLimits limits;
+  limits.contact_step = held;
+  Ledger ledger(limits);
+  EnergyTerms e;
+  ledger.open(e);
+  e.wall_work = 0.4 * force * std::pow(window, 2.5);
+  e.bond_elastic = e.wall_work + share * force * std::pow(window, 1.5) * 2e-6;
+  INFO("off by " << e.residual() / e.wall_work << " of the work");
+  CHECK(ledger.close(window, e, {}).has_value() == (held == 0 || share > 1.2));
+}
+
 TEST_CASE("The guard names the particle and the limit") {
   Extremes deep;
   deep.culprit = 17;
