@@ -197,6 +197,7 @@ class Run {
     s.bonds_initial = simulation_.bonds_initial();
     s.bonds_broken = counts.broken_tension + counts.broken_shear;
     s.energy_residual_fraction = simulation_.ledger().residual_fraction();
+    s.momentum_residual_fraction = simulation_.momentum().residual_fraction();
     const MassCount mass = simulation_.mass_count();
     s.mass_residual_fraction = mass.fed > 0 ? static_cast<double>(mass.residual()) / static_cast<double>(mass.fed) : 0;
     if (simulation_.feed()) s.feed_mass = simulation_.fed().mass;

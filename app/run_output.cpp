@@ -14,6 +14,7 @@ std::vector<Channel> ledger_channels() {
   for (const char* name : {"kinetic", "potential", "contact_elastic", "bond_elastic", "contact_damping", "friction",
                            "bond_damping", "bond_breakage", "wall_work", "exchanged", "energy_residual"})
     channels.push_back({name, "J"});
+  channels.push_back({"momentum_residual", "N s"});
   channels.push_back({"mass_residual", "1"});
   channels.push_back({"power_residual", "W"});
   return channels;
@@ -228,6 +229,7 @@ void RunOutput::write_ledger(const Simulation& simulation) {
                                 e.wall_work,
                                 e.exchanged,
                                 e.residual(),
+                                simulation.momentum().residual(),
                                 static_cast<double>(simulation.mass_count().residual()),
                                 power_residual};
   results_.append_ledger(row);

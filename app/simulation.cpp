@@ -41,7 +41,7 @@ Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_
   for (const double mass : dem_->particles().mass) start_mass_ += mass;
   if (feed_) blaming("feed", [&] { put_in(feed_->initial(dem_->wall_poses(), dem_->particles())); });
   inspect();
-  ledger_.open(dem_->energy());
+  open_balances();
 }
 
 Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem, const SavedState& saved)
@@ -82,9 +82,9 @@ WindowResult Simulation::advance() {
     result.mantle_force = result.walls[static_cast<std::size_t>(assembly_.gyrating)].force;
     result.crushing_power = result.load.work / result.window.length();
   }
-  if (drivetrain_) drivetrain_->advance(result.window, result.load);   // 3. the drivetrain catches up
-  verdict_ = ledger_.close(time(), dem_->energy(), dem_->extremes());  // 4. energy must balance
-  if (!verdict_) feed_rock();                                          // 5. rock comes
+  if (drivetrain_) drivetrain_->advance(result.window, result.load);  // 3. the drivetrain catches up
+  close_balances(result);                                             // 4. energy and momentum must balance
+  if (!verdict_) feed_rock();                                         // 5. rock comes
   return result;
 }
 
@@ -108,6 +108,19 @@ MantleLoad Simulation::mantle_load(const std::vector<WallLoad>& walls, const Man
   return load;
 }
 
+void Simulation::close_balances(const WindowResult& result) {
+  const double length = result.window.length();
+  std::vector<Vec3d> impulses{(mass_inside_ * length) * assembly_.scene.gravity};
+  for (const WallLoad& wall : result.walls) impulses.push_back(-length * wall.force);
+  momentum_.close(dem_->momentum(), impulses);
+  verdict_ = ledger_.close(time(), dem_->energy(), dem_->extremes());
+}
+
+void Simulation::open_balances() {
+  ledger_.open(dem_->energy());
+  momentum_.open(dem_->momentum());
+}
+
 void Simulation::require_sound() const {
   if (verdict_) throw StoppedByGuard(*verdict_);
 }
@@ -117,13 +130,15 @@ void Simulation::put_in(std::span<const NewRock> rocks) {
   for (const NewRock& rock : rocks) {
     particles_put_in_ += static_cast<std::int64_t>(rock.particles.size());
     bonds_put_in_ += static_cast<std::int64_t>(rock.bonds.size());
+    for (const NewParticle& p : rock.particles)
+      mass_inside_ += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
   }
   dem_->insert(rocks);
 }
 
 void Simulation::feed_rock() {
   if (feed_ && feed_->wants(time())) put_in(feed_->due(time(), dem_->wall_poses(), dem_->particles()));
-  ledger_.open(dem_->energy());
+  open_balances();
 }
 
 void Simulation::inspect() {
@@ -134,8 +149,10 @@ void Simulation::inspect() {
   product_->update(table, particles);
   const std::vector<ParticleId> gone = product_->removable(table, particles, assembly_.removal_depth);
   if (gone.empty()) return;
+  for (std::size_t n = 0; n < particles.size(); ++n)
+    if (std::binary_search(gone.begin(), gone.end(), particles.id[n])) mass_inside_ -= particles.mass[n];
   dem_->remove(gone);
-  ledger_.open(dem_->energy());
+  open_balances();
 }
 
 double Simulation::holdup() const {
@@ -168,11 +185,12 @@ SavedState Simulation::save() const {
   s.put_one("simulation/time_step", assembly_.scene.dt);
   s.put_one("simulation/step", step_);
   s.put("simulation/counts", std::vector<std::int64_t>{particles_put_in_, bonds_put_in_, fragments_});
-  s.put_one("simulation/start_mass", start_mass_);
+  s.put("simulation/mass", std::vector<double>{start_mass_, mass_inside_});
   if (drivetrain_) s.put_one("drivetrain/state", drivetrain_->state());
   if (feed_) s.put_fields("feed", feed_->state());
   if (product_) s.put_fields("product", product_->state());
   ledger_.save(s);
+  momentum_.save(s);
   return s;
 }
 
@@ -187,11 +205,14 @@ void Simulation::restore(const SavedState& s) {
   particles_put_in_ = counts[0];
   bonds_put_in_ = counts[1];
   fragments_ = counts[2];
-  start_mass_ = s.get_one<double>("simulation/start_mass");
+  const auto mass = s.get<double>("simulation/mass", 2);
+  start_mass_ = mass[0];
+  mass_inside_ = mass[1];
   if (drivetrain_) drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain/state"));
   if (feed_) feed_->restore(s.get_fields<Feed::State>("feed"));
   if (product_) product_.emplace(rock_density(assembly_), s.get_fields<Product::State>("product"));
   ledger_.restore(s);
+  momentum_.restore(s);
 }
 
 }  // namespace gyro

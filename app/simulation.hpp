@@ -3,6 +3,7 @@
 
 #include "app/assembly.hpp"
 #include "app/ledger.hpp"
+#include "app/momentum_balance.hpp"
 #include "core/feed/feed.hpp"
 #include "core/fragments/product.hpp"
 #include "mbd/drivetrain.hpp"
@@ -48,6 +49,7 @@ class Simulation {
   const Dem& dem() const { return *dem_; }
   Dem& dem() { return *dem_; }
   const Ledger& ledger() const { return ledger_; }
+  const MomentumBalance& momentum() const { return momentum_; }
   const std::optional<Drivetrain>& drivetrain() const { return drivetrain_; }
   const std::optional<Feed>& feed() const { return feed_; }
   const std::optional<Product>& product() const { return product_; }
@@ -68,6 +70,8 @@ class Simulation {
   int steps_ahead() const;
   void put_in(std::span<const NewRock> rocks);
   void feed_rock();
+  void close_balances(const WindowResult& result);
+  void open_balances();
   MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double length) const;
 
   const Case& input_;
@@ -77,10 +81,11 @@ class Simulation {
   std::optional<Feed> feed_;
   std::optional<Product> product_;
   Ledger ledger_;
+  MomentumBalance momentum_;
   std::optional<std::string> verdict_;
   std::int64_t step_ = 0;
   std::int64_t particles_put_in_ = 0, bonds_put_in_ = 0, fragments_ = 0;
-  double start_mass_ = 0;
+  double start_mass_ = 0, mass_inside_ = 0;  ///< [kg]
 };
 
 }  // namespace gyro

@@ -76,6 +76,7 @@ std::string to_json(const Summary& s) {
                      {"mean_crushing_power", number(s.mean_crushing_power)},
                      {"p80", number(s.p80)},
                      {"energy_residual_fraction", number(s.energy_residual_fraction)},
+                     {"momentum_residual_fraction", number(s.momentum_residual_fraction)},
                      {"mass_residual_fraction", number(s.mass_residual_fraction)},
                      {"max_overlap_ratio", number(s.max_overlap_ratio)},
                      {"stalled", s.stalled},

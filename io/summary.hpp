@@ -52,6 +52,7 @@ struct Summary {
   std::optional<double> p80 = {};                              ///< sieve size that 80 % of the product passes [m]
   std::optional<double> mean_crushing_power = {};              ///< [W]
   std::optional<double> energy_residual_fraction = {};         ///< residual / work done by walls and gravity
+  std::optional<double> momentum_residual_fraction = {};       ///< residual / impulses of walls and gravity
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
   bool stalled = false;

@@ -45,6 +45,8 @@ std::string balance_lines(const Summary& s) {
   std::string text;
   if (s.energy_residual_fraction)
     text += line("energy residual", format("%.2g of the work done", *s.energy_residual_fraction));
+  if (s.momentum_residual_fraction)
+    text += line("momentum residual", format("%.2g of the impulses", *s.momentum_residual_fraction));
   if (s.mass_residual_fraction) text += line("mass residual", format("%.2g", *s.mass_residual_fraction));
   if (s.max_overlap_ratio) text += line("largest overlap", format("%.2g", *s.max_overlap_ratio) + " of the radius");
   return text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the guard stops, and what it lets pass.
 #include "app/ledger.hpp"
+#include "app/momentum_balance.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>
@@ -95,4 +96,15 @@ TEST_CASE("The guard names the particle and the limit") {
   CHECK(verdict(0, swept)->find("wall belt moves by 0.3") != std::string::npos);
   deep.wall = 0;
   CHECK(verdict(0, deep)->find("with wall floor") != std::string::npos);
+}
+
+TEST_CASE("The momentum balance lacks what no wall and no gravity has given") {
+  MomentumBalance balance;
+  balance.open({1, 0, 0});
+  balance.close({1, 2, -1}, std::vector<Vec3d>{{0, 0, -1}, {0, 4, 0}, {0, -2, 0}});
+  CHECK(balance.residual() == 0);
+  balance.open({5, 0, 0});  // rock came between the windows
+  balance.close({5, 0, -0.5}, std::vector<Vec3d>{{0, 0, -1}});
+  CHECK(balance.residual() == 0.5);
+  CHECK(balance.residual_fraction() == 0.5 / 8);
 }

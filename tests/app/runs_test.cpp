@@ -62,12 +62,13 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
   }
   for (const char* name :
        {"kinetic", "potential", "contact_elastic", "bond_elastic", "contact_damping", "friction", "bond_damping",
-        "bond_breakage", "wall_work", "energy_residual", "mass_residual", "power_residual"})
+        "bond_breakage", "wall_work", "energy_residual", "momentum_residual", "mass_residual", "power_residual"})
     CHECK(result_of(run, std::string("ledger/") + name).size() == 120);
 
   const json summary = summary_of(run);
   CHECK(summary["status"] == "done");
   CHECK(summary["mass_residual_fraction"] == 0);
+  CHECK(summary["momentum_residual_fraction"].get<double>() < 1e-9);
   CHECK(std::abs(summary["energy_residual_fraction"].get<double>()) < 0.01);
   CHECK(summary["stalled"] == false);
   CHECK(summary["precision"] == "mixed");

@@ -21,7 +21,7 @@ TEST_CASE("The summary holds every fixed field, null where it is not defined") {
   for (const char* name :
        {"status", "simulated_seconds", "wall_seconds", "particle_steps", "bond_steps", "time_step", "time_step_limit",
         "throughput_tph", "specific_energy_kwh_per_t", "p80", "bonds_initial", "bonds_broken",
-        "energy_residual_fraction", "mass_residual_fraction", "stalled", "precision"}) {
+        "energy_residual_fraction", "momentum_residual_fraction", "mass_residual_fraction", "stalled", "precision"}) {
     CAPTURE(name);
     CHECK(json.contains(name));
   }
