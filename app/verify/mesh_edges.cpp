@@ -137,6 +137,30 @@ void no_jumps(Recorder& out) {
   }
 }
 
+/// A held sphere is led across a valley without slip. The first face is unloaded, the second loaded again, and friction
+/// goes on from one to the other: with 8 G* sqrt(R d) = S(x), F = S(0) w + the integral of S over the second face.
+void friction_across_a_valley(Recorder& out) {
+  const double degrees = 179, half = 0.5 * pi / 180, deep = 0.01 * radius, way = 0.026 * radius;
+  const double height = (radius - deep) / std::cos(half);
+  const int steps = 2000;
+  Scene scene = scene_of(rock, rigid(), {100, 1, 0}, 1e-6);
+  scene.walls = {fold(degrees)};
+  Stage stage(scene, out.loads());
+  stage.insert({sphere(0, {-way, 0.1, height}, {2 * way / (steps * scene.dt), 0, 0}, radius, held)});
+  stage.advance(steps);
+
+  const double shear = rock.shear_modulus / (2 - rock.poisson_ratio);  // G* against a rigid wall
+  const auto stiffness = [&](double x) {
+    const double overlap = radius - (height * std::cos(half) - std::abs(x) * std::sin(half));
+    return 8 * shear * std::sqrt(radius * overlap);
+  };
+  double expected = stiffness(0) * way;
+  for (int k = 0; k < steps; ++k) expected += stiffness((k + 0.5) / steps * way) * way / steps;
+  const double force = -dot(stage.dem().particles().force[0], Vec3d{std::cos(half), 0, std::sin(half)});
+  out.relative("force-on-the-second-face", force, std::cos(half) * expected, {2e-3, 2e-3},
+               "Mindlin without slip, over both faces");
+}
+
 /// The tip of a pyramid pushes from the tip.
 void tip(Recorder& out) {
   const Wall pyramid{"pyramid",
@@ -151,12 +175,13 @@ void tip(Recorder& out) {
                "from the tip");
 }
 
-const std::array<Case, 6> cases{{
+const std::array<Case, 7> cases{{
     {"mesh/m3-over-a-convex-edge", over_a_convex_edge},
     {"mesh/m3-falls-over-a-convex-edge", rolls_over_a_convex_edge},
     {"mesh/m4-corners", corners},
     {"mesh/m4-flat-seams", flat_seams},
     {"mesh/m4-no-jumps", no_jumps},
+    {"mesh/m4-friction-across-a-valley", friction_across_a_valley},
     {"mesh/m5-tip", tip},
 }};
 

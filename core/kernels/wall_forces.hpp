@@ -132,20 +132,26 @@ struct WallForces {
     if (later > 0) total.book(later * dt, walls.later[n]);
   }
 
-  /// The contact of the last step with the nearest normal (within 45 degrees), each used once.
+  /// The contact of the last step with the nearest normal (within 45 degrees), each used once if there are enough. A
+  /// touch that appears beside another has what that one remembers: when the sphere goes on to the next facet of a
+  /// concave wall, both share the load, and friction must not begin anew.
   GYRO_HD static ContactMemory<Real> remembered(const WallMemory<Real>& old, const Vec3<Real>& normal, bool* taken) {
-    int best = -1;
-    Real nearest = Real(0.70710678);
+    int own = -1, beside = -1;
+    Real nearest = Real(0.70710678), nearest_of_all = nearest;
     for (int k = 0; k < old.count; ++k) {
       const Real cosine = dot(old.normal[k], normal);
+      if (cosine > nearest_of_all) {
+        nearest_of_all = cosine;
+        beside = k;
+      }
       if (!taken[k] && cosine > nearest) {
         nearest = cosine;
-        best = k;
+        own = k;
       }
     }
-    if (best < 0) return {};
-    taken[best] = true;
-    return old.contact[best];
+    if (own >= 0) taken[own] = true;
+    const int found = own >= 0 ? own : beside;
+    return found >= 0 ? old.contact[found] : ContactMemory<Real>{};
   }
 };
 
