@@ -3,7 +3,9 @@
 
 #include "core/walls/motion.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace gyro {
@@ -48,6 +50,10 @@ ResultsRows saved_rows(const SavedState& saved) {
 /// Intervals that are over at a time.
 std::int64_t intervals(double interval, double time) {
   return interval > 0 ? static_cast<std::int64_t>(std::floor(time / interval * (1 + 1e-9))) : 0;
+}
+
+std::string probe_name(std::uint32_t id, const std::string& quantity) {
+  return "probe_" + std::to_string(id) + "_" + quantity;
 }
 
 PosedWall posed(const WallPicture& picture, const WallPose& pose) {
@@ -104,6 +110,11 @@ std::vector<Channel> RunOutput::series_channels() const {
   if (has_bonds_)
     for (const char* name : {"bonds_intact", "bonds_broken_tension", "bonds_broken_shear", "fragments"})
       c.push_back({name, "1"});
+  for (const std::uint32_t id : input_.output.probes) {
+    c.push_back({probe_name(id, "position"), "m", 3});
+    c.push_back({probe_name(id, "velocity"), "m/s", 3});
+    c.push_back({probe_name(id, "spin"), "rad/s", 3});
+  }
   c.push_back({"max_overlap_ratio", "1"});
   c.push_back({"wall_seconds", "s"});
   return c;
@@ -138,6 +149,25 @@ void RunOutput::take(const WindowResult& result, Simulation& simulation) {
                    simulation.holdup(), simulation.product() ? simulation.product()->state().mass : 0);
   if (simulation.verdict() || due(input_.output.series, rows_ + 1, time_)) write_row(simulation);
   if (due(input_.output.snapshots, frames_, time_)) write_snapshot(simulation);
+}
+
+/// Particles that are not there, because they have not been fed yet or are gone, are not a number.
+void RunOutput::add_probes(const Simulation& simulation, Row& now) const {
+  if (input_.output.probes.empty()) return;
+  const ParticleSnapshot s = simulation.dem().particles();
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  for (const std::uint32_t id : input_.output.probes) {
+    const auto found = std::lower_bound(s.id.begin(), s.id.end(), id);
+    const bool there = found != s.id.end() && *found == id;
+    const auto k = static_cast<std::size_t>(found - s.id.begin());
+    const auto put = [&](const char* quantity, const std::vector<Vec3d>& values) {
+      const Vec3d v = there ? values[k] : Vec3d{nowhere, nowhere, nowhere};
+      now[probe_name(id, quantity)] = {v.x, v.y, v.z};
+    };
+    put("position", s.position);
+    put("velocity", s.velocity);
+    put("spin", s.spin);
+  }
 }
 
 void RunOutput::add_means(const WindowResult& result, const Simulation& simulation) {
@@ -191,11 +221,15 @@ void RunOutput::write_row(Simulation& simulation) {
   now["max_overlap_ratio"] = simulation.ledger().extremes().overlap_ratio;
   now["wall_seconds"] = wall_seconds();
 
+  Row probes;
+  add_probes(simulation, probes);
   std::vector<double> row;
   for (const Channel& channel : series_) {
     const auto sum = sums_.find(channel.name);
     if (sum != sums_.end()) {
       for (const double v : sum->second) row.push_back(v / summed_time_);
+    } else if (const auto probe = probes.find(channel.name); probe != probes.end()) {
+      row.insert(row.end(), probe->second.begin(), probe->second.end());
     } else {
       row.push_back(now.at(channel.name));
     }

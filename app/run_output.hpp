@@ -48,6 +48,7 @@ class RunOutput {
   ResultsContent content(const CaseRecord& record) const;
   void restore(const SavedState& saved);
   double wall_seconds() const;
+  void add_probes(const Simulation& simulation, Row& now) const;
   void add_means(const WindowResult& result, const Simulation& simulation);
   void write_row(Simulation& simulation);
   void write_ledger(const Simulation& simulation);

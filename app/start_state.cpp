@@ -19,7 +19,7 @@ std::map<RockId, std::vector<Index>> rows_by_rock(const CaseParticles& table) {
 }
 
 NewParticle particle_of(const StartParticle& row, double density) {
-  return {row.id, row.position, row.velocity, {0, 0, 0}, row.radius, density};
+  return {row.id, row.position, row.velocity, row.spin, row.radius, density};
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ struct CaseNumerics {
 /// A row of `particles.file`.
 struct StartParticle {
   std::uint32_t id;
-  Vec3d position, velocity;
+  Vec3d position, velocity, spin;
   double radius;
   RockId rock;  ///< as given, otherwise numbered by what the bonds hold together
 };
@@ -149,6 +149,7 @@ struct CaseOutput {
   double checkpoints = 300;  ///< wall-clock time between checkpoints [s]; 0: only at the end
   bool vtp = true, hdf5 = false;
   std::optional<CaseLinerMaps> liners;
+  std::vector<std::uint32_t> probes = {};  ///< ids of particles that the series follows
 };
 
 /// A checked case in SI units. What the file leaves out is either a documented default or absent.

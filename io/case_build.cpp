@@ -183,6 +183,8 @@ CaseOutput output_of(const Setting& section) {
   if (const Setting* maps = section.find("liners"))
     output.liners = CaseLinerMaps{maps->number("interval"), static_cast<int>(maps->number("rows")),
                                   static_cast<int>(maps->number("sectors")), number_if(*maps, "wear_coefficient")};
+  if (const Setting* probes = section.find("probes"))
+    for (const double id : probes->numbers) output.probes.push_back(static_cast<std::uint32_t>(id));
   return output;
 }
 

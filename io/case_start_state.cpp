@@ -25,7 +25,13 @@ struct ReadParticle {
 };
 
 std::vector<ReadParticle> rows_of(const fs::path& file, const CsvTable& table, CaseProblems& problems) {
-  const int vx = table.column("vx"), rock = table.column("rock");
+  const int rock = table.column("rock");
+  const auto three_from = [&](std::string_view column, const std::vector<double>& row) {
+    const int begin = table.column(column);
+    if (begin < 0) return Vec3d{0, 0, 0};
+    const auto k = static_cast<std::size_t>(begin);
+    return Vec3d{row[k], row[k + 1], row[k + 2]};
+  };
   std::vector<ReadParticle> read;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const std::vector<double>& row = table.rows[k];
@@ -35,11 +41,7 @@ std::vector<ReadParticle> rows_of(const fs::path& file, const CsvTable& table, C
     if (!(row[4] > 0)) problems.add_in_file(file, line, 1, "the radius is not positive; more than 0 m is accepted");
     if (rock >= 0 && !is_whole(row[static_cast<std::size_t>(rock)], largest_rock))
       problems.add_in_file(file, line, 1, "the rock is no whole number; 0 to 2147483647 is accepted");
-    StartParticle particle{0, {row[1], row[2], row[3]}, {0, 0, 0}, row[4], none};
-    if (vx >= 0) {
-      const auto v = static_cast<std::size_t>(vx);
-      particle.velocity = {row[v], row[v + 1], row[v + 2]};
-    }
+    StartParticle particle{0, {row[1], row[2], row[3]}, three_from("vx", row), three_from("wx", row), row[4], none};
     if (problems.empty()) {
       particle.id = static_cast<std::uint32_t>(row[0]);
       if (rock >= 0) particle.rock = static_cast<RockId>(row[static_cast<std::size_t>(rock)]);
@@ -114,7 +116,7 @@ void number_rocks(CaseTables& tables) {
 
 void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems& problems) {
   const fs::path file = particles.text("file");
-  const CsvTable table = read_csv(file, {"id", "x", "y", "z", "r"}, {{"vx", "vy", "vz"}, {"rock"}});
+  const CsvTable table = read_csv(file, {"id", "x", "y", "z", "r"}, {{"vx", "vy", "vz"}, {"wx", "wy", "wz"}, {"rock"}});
   for (const CsvProblem& problem : table.problems)
     problems.add_in_file(file, problem.line, problem.column, problem.message);
   if (!table.problems.empty()) return;

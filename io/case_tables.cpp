@@ -2,6 +2,7 @@
 #include "io/case_parts.hpp"
 #include "io/csv.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace gyro {
@@ -127,6 +128,18 @@ VoltageInput read_voltage(const fs::path& file, CaseProblems& problems) {
   return voltage;
 }
 
+/// Without a feed every particle that will ever be is in the table.
+void check_probes(const Setting& root, const CaseTables& tables, CaseProblems& problems) {
+  const Setting* probes = root.find("output.probes");
+  if (probes == nullptr || root.find("feed") != nullptr || tables.particles.empty()) return;
+  for (std::size_t k = 0; k < probes->numbers.size(); ++k) {
+    const auto is_it = [id = probes->numbers[k]](const StartParticle& p) { return p.id == id; };
+    if (std::none_of(tables.particles.begin(), tables.particles.end(), is_it))
+      problems.add(probes->item_marks[k],
+                   "there is no particle " + number_text(probes->numbers[k]) + "; an id of particles.file is accepted");
+  }
+}
+
 }  // namespace
 
 CaseTables read_tables(const Setting& root, CaseProblems& problems) {
@@ -137,6 +150,7 @@ CaseTables read_tables(const Setting& root, CaseProblems& problems) {
   if (const auto file = table_file(root.find("drivetrain.motor.voltage_file")))
     tables.voltage = read_voltage(*file, problems);
   if (table_file(root.find("particles.file"))) read_start_state(*root.find("particles"), tables, problems);
+  check_probes(root, tables, problems);
   return tables;
 }
 

@@ -112,6 +112,11 @@ void require_rows(const std::filesystem::path& path, const ResultsContent& conte
                      std::to_string(rows->second));
     }
   }
+  for (const std::string& name : file.children("/series")) {
+    const auto is_it = [&](const Channel& channel) { return channel.name == name; };
+    if (std::none_of(content.series.begin(), content.series.end(), is_it))
+      throw refuse("has /series/" + name + ", which would end here");
+  }
 }
 
 /// Drops all rows behind those to keep, in a copy that then takes the file's place.

@@ -25,6 +25,7 @@ enum class KeyType {
   file,      ///< path, relative to the case file
   vector,    ///< list of three quantities
   interval,  ///< list of two quantities, the second larger
+  integers,  ///< list of whole numbers, not empty, each once
   words,     ///< list of words, not empty
   files,     ///< list of paths, not empty
   passing,   ///< list of pairs [size, passing]
@@ -84,10 +85,11 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
 /// A checked value of the case: what the file or the table's default says, in SI.
 struct Setting {
   const Key* key = nullptr;
-  std::string name = {};                ///< last part of its path in the file
-  Mark mark = {};                       ///< of the value; of the section for a default
-  bool given = false;                   ///< not a default
-  std::vector<double> numbers = {};     ///< quantity: 1; vector: 3; interval: 2; passing: size, share, size, share ...
+  std::string name = {};  ///< last part of its path in the file
+  Mark mark = {};         ///< of the value; of the section for a default
+  bool given = false;     ///< not a default
+  std::vector<double> numbers =
+      {};  ///< quantity: 1; vector: 3; interval: 2; integers; passing: size, share, size, share ...
   std::vector<std::string> texts = {};  ///< text, word, file: 1; words, files; a word beside a quantity
   std::vector<Mark> item_marks = {};    ///< of the items of a list
   std::vector<Setting> children = {};   ///< of a section

@@ -37,6 +37,9 @@ std::string properties_of(const Key& key) {
     case KeyType::interval:
       text = "list of two quantities, the second larger";
       break;
+    case KeyType::integers:
+      text = "list of whole numbers";
+      break;
     case KeyType::words:
       text = "list of " + choice(split(key.words, '|'));
       break;

@@ -76,6 +76,11 @@ Json value_schema(const Key& key) {
       return list_schema(quantity_schema(key), 3, 3);
     case KeyType::interval:
       return list_schema(quantity_schema(key), 2, 2);
+    case KeyType::integers: {
+      Json item = {{"type", "integer"}};
+      add_range(item, key.range);
+      return list_schema(item, 1, 0);
+    }
     case KeyType::words:
       return list_schema(words_schema(key.words), 1, 0);
     case KeyType::files:

@@ -303,7 +303,7 @@ const std::vector<Key> run_keys = {
 
     {.path = "particles", .doc = "A start state from files, instead of or beside a feed."},
     {.path = "particles.file", .type = file, .required = true,
-     .doc = "CSV with the header id,x,y,z,r[,vx,vy,vz][,rock], SI; their density is that of materials.rock."},
+     .doc = "CSV with the header id,x,y,z,r[,vx,vy,vz][,wx,wy,wz][,rock], SI (w: spin in rad/s); their density is that of materials.rock."},
     {.path = "particles.bonds", .type = file, .doc = "CSV with the header i,j[,length0]; i and j are ids."},
 
     {.path = "output", .defaulted = true, .doc = "What is written, and how often."},
@@ -313,6 +313,8 @@ const std::vector<Key> run_keys = {
      .doc = "Simulated time between snapshots; 0: none."},
     {.path = "output.checkpoints", .type = quantity, .dimension = Dimension::time, .fallback = "5 min", .range = not_negative,
      .doc = "Wall-clock time between checkpoints; 0: one at the end only."},
+    {.path = "output.probes", .type = integers, .range = {.low = 0, .high = 4294967294.0},
+     .doc = "Ids of particles whose position, velocity and spin are written with each row of /series; not a number once they are gone."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
      .doc = "Files of a snapshot: vtp for ParaView; hdf5 adds fields.h5 with an XDMF index."},
     {.path = "output.liners", .doc = "Maps of pressure and sliding work of every wall but planes, in /liners of results.h5. Without it they cost nothing."},

@@ -48,6 +48,8 @@ bool ValueReader::read(Setting& setting, const Key& key, const YamlNode& node, c
       return read_numbers(setting, key, node, path, 3);
     case KeyType::interval:
       return read_interval(setting, key, node, path);
+    case KeyType::integers:
+      return read_integers(setting, key, node, path);
     case KeyType::words:
     case KeyType::files:
       return read_texts(setting, key, node, path);
@@ -84,8 +86,9 @@ bool ValueReader::read_word(Setting& setting, const Key& key, const YamlNode& no
 
 bool ValueReader::read_number(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
   if (node.kind != Kind::scalar) return wrong_form(key, node, path);
-  const ParsedNumber parsed =
-      key.type == KeyType::integer ? parse_integer(node.text) : parse_quantity(node.text, key.dimension);
+  const ParsedNumber parsed = key.type == KeyType::integer || key.type == KeyType::integers
+                                  ? parse_integer(node.text)
+                                  : parse_quantity(node.text, key.dimension);
   if (!parsed.value) {
     const std::string word = key.words.empty() ? "" : ", or " + choice(split(key.words, '|'));
     problem(node.mark, path + ": " + parsed.problem + word);
@@ -121,6 +124,19 @@ bool ValueReader::read_interval(Setting& setting, const Key& key, const YamlNode
   if (setting.numbers[0] < setting.numbers[1]) return true;
   problem(node.mark, path + " does not rise; a smaller and a larger value are accepted");
   return false;
+}
+
+bool ValueReader::read_integers(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
+  if (node.kind != Kind::list || node.items.empty()) return wrong_count(key, node, path);
+  bool good = true;
+  for (const YamlNode& item : node.items) {
+    good &= read_number(setting, key, item, path);
+    if (good && std::count(setting.numbers.begin(), setting.numbers.end(), setting.numbers.back()) > 1) {
+      problem(item.mark, path + " has " + item.text + " twice; each once is accepted");
+      good = false;
+    }
+  }
+  return good;
 }
 
 bool ValueReader::read_texts(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
@@ -188,6 +204,8 @@ std::string form_of(const Key& key) {
       return "a list of three values";
     case KeyType::interval:
       return "a list of two values";
+    case KeyType::integers:
+      return "a list of whole numbers";
     case KeyType::words:
       return "a list of " + choice(split(key.words, '|'));
     case KeyType::files:

@@ -43,6 +43,8 @@ std::string value_text(const Setting& setting) {
       return list(setting.texts, quoted_text);
     case KeyType::words:
       return list(setting.texts, plain);
+    case KeyType::integers:
+      return list(setting.numbers, [](double number) { return std::to_string(static_cast<long long>(number)); });
     case KeyType::vector:
     case KeyType::interval:
       return list(setting.numbers, number_text);

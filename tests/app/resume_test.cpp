@@ -39,8 +39,9 @@ void require_same_results(const fs::path& a, const fs::path& b) {
 }
 
 /// A small bouncing run of 1600 windows, for what does not depend on the case.
-const std::string bounce =
-    box + "--set 'output.snapshots=50 ms' --set 'output.series=3 ms' --set 'time.duration=0.8 s' ";
+const std::string bounce = box +
+                           "--set 'output.snapshots=50 ms' --set 'output.series=3 ms' --set 'time.duration=0.8 s' "
+                           "--set 'output.probes=[1, 17]' ";
 
 }  // namespace
 
@@ -117,6 +118,18 @@ TEST_CASE("A finished run goes on with a later end and is left alone otherwise")
   CHECK(place.gyrosim(box + "--out r --resume --set 'time.duration=9 ms'").code == 0);
   CHECK(summary_of(run)["simulated_seconds"].get<double>() == Approx(0.009));
   CHECK(result_of(run, "series/time").size() == 9);
+}
+
+TEST_CASE("Probes may not change when a run goes on: their columns would have gaps") {
+  const Workplace place;
+  const std::string cut = box + "--out r --until '5 ms' --set 'output.series=1 ms' --set 'output.probes=[1, 17]'";
+  REQUIRE(place.gyrosim(cut).code == 0);
+  for (const std::string probes : {"null", "[1]", "[1, 17, 18]"}) {
+    const Outcome outcome = place.gyrosim(box + "--out r --resume --until '8 ms' --set 'output.probes=" + probes + "'");
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find("/series/probe_1") != std::string::npos);
+  }
 }
 
 TEST_CASE("The cadence of the output may change when a run goes on") {

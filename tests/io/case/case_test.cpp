@@ -162,6 +162,21 @@ TEST_CASE("A start state comes by rising id, bonds refer to its rows, rocks are 
   CHECK(std::get<gyro::AbsoluteBondRadius>(c.bonds->rule.radius).radius == 0.002);
 }
 
+TEST_CASE("Spins of a start state, and probes") {
+  const std::string data = GYRO_CASE_TESTS "/data/";
+  const TemporaryFile file(smallest +
+                           "contacts: {rock/rock: {friction: 0.5, restitution: 0.5}}\n"
+                           "particles: {file: " +
+                           data + "spinning.csv}\noutput: {probes: [1, 0]}\n");
+  const gyro::Case c = load(file.path);
+  REQUIRE(c.particles);
+  CHECK(norm(c.particles->particles[0].velocity - gyro::Vec3d{1, 2, 3}) == 0);
+  CHECK(norm(c.particles->particles[0].spin - gyro::Vec3d{4, 5, 6}) == 0);
+  CHECK(c.particles->particles[1].spin.z == -7);
+  CHECK(c.output.probes == std::vector<std::uint32_t>{1, 0});
+  CHECK(c.resolved.find("probes: [1, 0]") != std::string::npos);
+}
+
 TEST_CASE("Walls: unit normals, and every motion") {
   const std::string walls =
       "walls:\n"
