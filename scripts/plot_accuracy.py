@@ -5,7 +5,8 @@
 Usage: plot_accuracy.py BENCH.json [--out FILE.png]
 
 The grey band is the noise of the reference: a point inside it cannot be told from the reference. Bars are standard errors
-over the seeds. Errors of exactly 0 are drawn at the left edge as open marks. Needs python3-matplotlib.
+over the seeds. Errors of 0, and those below a thousandth of the noise, are drawn at the left edge as open
+marks. Needs python3-matplotlib.
 """
 import argparse
 import json
@@ -17,7 +18,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 
-CURVES = {"step": "o-", "step_double": "s--", "precision": "D", "substeps": "^:", "substeps_within": "v:", "window": "x-."}
+CURVES = {"step": ("o-", "C0"), "step_double": ("s--", "C1"), "precision": ("D", "C2"), "substeps": ("^:", "C3"),
+          "substeps_within": ("v:", "C4"), "window": ("x-.", "C5")}
+NOTHING = 1e-3  # an error below this share of the noise is drawn as none
 
 
 def parse_arguments():
@@ -41,28 +44,34 @@ def read(file):
     return panels
 
 
+def is_nothing(point):
+    return point["error"] <= NOTHING * (point["noise"] or 0)
+
+
 def left_edge(points):
     """Smallest error that the axis shows."""
-    shown = [p["error"] for p in points if p["error"] > 0] + [p["noise"] for p in points if p["noise"]]
+    shown = [p["error"] for p in points if not is_nothing(p)] + [p["noise"] for p in points if p["noise"]]
     return min(shown) / 3 if shown else 1e-6
 
 
 def draw(axis, metric, points, edge):
-    for knob, style in CURVES.items():
+    for knob, (style, colour) in CURVES.items():
         own = [p for p in points if p["knob"] == knob]
         if not own:
             continue
-        if knob == "step":
+        if knob in ("step", "window"):
             own.sort(key=lambda p: p["value"])
         errors = [max(p["error"], edge) for p in own]
         work = [p["seconds_per_simulated_second"] for p in own]
         spread = [[min(p["error_se"] or 0, 0.9 * e) for p, e in zip(own, errors)], [p["error_se"] or 0 for p in own]]
-        line = axis.errorbar(errors, work, xerr=spread, fmt=style, markersize=4, linewidth=1, elinewidth=0.6, label=knob)
-        zeros = [(e, w) for p, e, w in zip(own, errors, work) if p["error"] == 0]
+        line = axis.errorbar(errors, work, xerr=spread, fmt=style, markersize=4, linewidth=1, elinewidth=0.6,
+                             color=colour, label=knob)
+        zeros = [(e, w) for p, e, w in zip(own, errors, work) if is_nothing(p)]
         if zeros:
             axis.plot(*zip(*zeros), "o", markersize=7, fillstyle="none", color=line[0].get_color())
         for p, error, seconds in zip(own, errors, work):
-            axis.annotate(str(p["value"]), (error, seconds), fontsize=5, xytext=(3, 3), textcoords="offset points")
+            text = f"{1e3 * p['value']:g} ms" if knob == "window" else str(p["value"])
+            axis.annotate(text, (error, seconds), fontsize=5, xytext=(3, 3), textcoords="offset points")
     noise = points[0]["noise"]
     axis.set_xscale("log")
     axis.set_yscale("log")
