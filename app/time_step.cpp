@@ -162,8 +162,9 @@ StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary&
   Limit sweep = sweep_limit(scene, smallest_radius(library, start));
   sweep.step /= hold;  // contacts are looked at once a hold
   StepChoice choice;
-  choice.limit = std::min(stable.step, sweep.step);
-  choice.limited_by = stable.step <= sweep.step ? stable.by : sweep.by;
+  const bool swept = sweep.step < input.time.safety * stable.step;
+  choice.limit = swept ? sweep.step : stable.step;
+  choice.limited_by = swept ? sweep.by : stable.by;
   double wanted = std::min({input.time.safety * stable.step, sweep.step, input.coupling_interval});
   if (input.time.step) {
     wanted = *input.time.step;
