@@ -5,7 +5,7 @@
 namespace gyro {
 
 int verify_command(const VerifyArguments& arguments) {
-  return verify::report(verify::all_cases(), arguments);
+  return verify::report(verify::all_cases(), verify::all_lines(), arguments);
 }
 
 }  // namespace gyro

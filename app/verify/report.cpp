@@ -5,10 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <regex>
+#include <set>
+#include <stdexcept>
 
 namespace gyro::verify {
 namespace {
@@ -26,16 +30,51 @@ std::string group_of(const Case& verification) {
   return verification.name.substr(0, verification.name.find('/'));
 }
 
-/// Cases run whole. A filter that names groups, as in `bond/`, runs the cases of these groups only.
-bool may_hold(const std::string& filter, const Case& verification, std::span<const Case> all) {
-  bool names_groups = false;
-  for (const Case& other : all) {
-    const std::string group = group_of(other);
-    if (filter.find(group + "/") == std::string::npos) continue;
-    if (group_of(verification) == group) return true;
-    names_groups = true;
+bool any_matches(const std::vector<std::string>& names, const std::regex& wanted) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return std::regex_search(n, wanted); });
+}
+
+/// None if nobody listed the case.
+std::vector<std::string> lines_of(const Lines& lines, const Case& verification) {
+  const auto found = lines.find(verification.name);
+  return found == lines.end() ? std::vector<std::string>{} : found->second;
+}
+
+/// The cases that print a line of that name. One that is not listed runs, and is found out.
+std::vector<const Case*> chosen(std::span<const Case> cases, const Lines& lines, const VerifyArguments& arguments) {
+  const std::regex wanted = expression(arguments.filter);
+  std::vector<const Case*> found;
+  bool only_nightly = false;
+  for (const Case& c : cases) {
+    const std::vector<std::string> names = lines_of(lines, c);
+    if (!names.empty() && !any_matches(names, wanted)) continue;
+    if (c.when == Case::When::nightly && !arguments.nightly)
+      only_nightly = true;
+    else
+      found.push_back(&c);
   }
-  return !names_groups;
+  if (!found.empty()) return found;
+  std::string groups, last;
+  for (const Case& c : cases)
+    if (group_of(c) != last) groups += " " + (last = group_of(c));
+  throw BadInput("--filter: " +
+                 (only_nightly ? "only long checks are called '" + arguments.filter + "'; --nightly runs them"
+                               : "no check is called '" + arguments.filter + "'; a part of group/case/quantity is " +
+                                     "accepted, the groups are" + groups));
+}
+
+/// @throws std::logic_error unless a case printed the lines that it is listed with
+void require_listed(const std::string& name, const std::vector<std::string>& lines, const std::vector<Check>& checks) {
+  std::set<std::string> printed;
+  for (const Check& check : checks) printed.insert(check.name);
+  const std::set<std::string> listed(lines.begin(), lines.end());
+  std::vector<std::string> differ;
+  std::set_symmetric_difference(printed.begin(), printed.end(), listed.begin(), listed.end(),
+                                std::back_inserter(differ));
+  if (differ.empty()) return;
+  std::string names;
+  for (const std::string& one : differ) names += " " + one;
+  throw std::logic_error("app/verify/lines.txt and the lines of " + name + " differ:" + names);
 }
 
 /// What became of a group.
@@ -82,20 +121,22 @@ nlohmann::json to_json(const GroupTotal& g) {
 
 }  // namespace
 
-int report(std::span<const Case> cases, const VerifyArguments& arguments) {
+int report(std::span<const Case> cases, const Lines& lines, const VerifyArguments& arguments) {
   using Clock = std::chrono::steady_clock;
+  const std::vector<const Case*> selected = chosen(cases, lines, arguments);
   const std::regex wanted = expression(arguments.filter);
   nlohmann::json checks = nlohmann::json::array();
   std::vector<GroupTotal> groups;
-  int count = 0, failed = 0;
+  int failed = 0;
   if (!arguments.json) print_head();
-  for (const Case& verification : cases) {
-    const bool skipped = verification.when == Case::When::nightly && !arguments.nightly;
-    if (skipped || !may_hold(arguments.filter, verification, cases)) continue;
+  for (const Case* one : selected) {
+    const Case& verification = *one;
     if (groups.empty() || groups.back().name != group_of(verification)) groups.push_back({group_of(verification)});
     GroupTotal& group = groups.back();
     const Clock::time_point begin = Clock::now();
-    for (const Check& check : run(verification)) {
+    const std::vector<Check> all = run(verification);
+    require_listed(verification.name, lines_of(lines, verification), all);
+    for (const Check& check : all) {
       if (!std::regex_search(check.name, wanted)) continue;
       ++group.checks;
       if (!check.pass()) ++group.failed;
@@ -106,11 +147,7 @@ int report(std::span<const Case> cases, const VerifyArguments& arguments) {
     }
     group.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   }
-  for (const GroupTotal& g : groups) {
-    count += g.checks;
-    failed += g.failed;
-  }
-  if (count == 0) throw BadInput("--filter: no check is called '" + arguments.filter + "'; `gyrosim verify` lists all");
+  for (const GroupTotal& g : groups) failed += g.failed;
   if (arguments.json) {
     nlohmann::json totals = nlohmann::json::array();
     for (const GroupTotal& g : groups) totals.push_back(to_json(g));

@@ -34,33 +34,63 @@ TEST_CASE("A check passes within its tolerance and never with what is no number"
   CHECK(mixed.checks()[0].precision == "mixed");
 }
 
+namespace {
+
+VerifyCase one_precision(const std::string& name, void (*run)(Recorder&), VerifyCase::When when) {
+  return {name, run, VerifyCase::Precisions::one, when};
+}
+
+}  // namespace
+
 TEST_CASE("A failing check gives exit code 3, a bad filter is bad input") {
-  const std::vector<VerifyCase> cases{{"right/one",
-                                       [](Recorder& r) {
-                                         r.relative("value", 1, 1, {1e-9, 1e-9}, "test");
-                                       },
-                                       VerifyCase::Precisions::one},
-                                      {"wrong/one",
-                                       [](Recorder& r) {
-                                         r.relative("value", 2, 1, {1e-9, 1e-9}, "test");
-                                       },
-                                       VerifyCase::Precisions::one},
-                                      {"slow/one",
-                                       [](Recorder& r) {
-                                         r.relative("value", 2, 1, {1e-9, 1e-9}, "test");
-                                       },
-                                       VerifyCase::Precisions::one, VerifyCase::When::nightly}};
+  const auto right = [](Recorder& r) { r.relative("value", 1, 1, {1e-9, 1e-9}, "test"); };
+  const auto wrong = [](Recorder& r) {
+    r.relative("value", 2, 1, {1e-9, 1e-9}, "test");
+    r.relative("other", 1, 1, {1e-9, 1e-9}, "test");
+  };
+  using When = VerifyCase::When;
+  const std::vector<VerifyCase> cases{one_precision("right/one", right, When::always),
+                                      one_precision("wrong/one", wrong, When::always),
+                                      one_precision("slow/one", wrong, When::nightly)};
+  const verify::Lines lines{{"right/one", {"right/one/value"}},
+                            {"wrong/one", {"wrong/one/value", "wrong/one/other"}},
+                            {"slow/one", {"slow/one/value", "slow/one/other"}}};
   const auto code = [&](const std::string& filter, bool nightly = false) {
-    return verify::report(cases, {.filter = filter, .nightly = nightly});
+    return verify::report(cases, lines, {.filter = filter, .nightly = nightly});
   };
   CHECK(code("") == exit_check_failed);
   CHECK(code("right/") == exit_done);
   CHECK(code("RIGHT.one") == exit_done);
   CHECK(code("right/|wrong/") == exit_check_failed);
+  CHECK(code("wrong/one/other") == exit_done);  // a line of its own
+  CHECK(code("g/.*value$") == exit_check_failed);
   CHECK_THROWS_AS(code("slow/"), BadInput);
   CHECK(code("slow/", true) == exit_check_failed);
   CHECK_THROWS_AS(code("nothing"), BadInput);
   CHECK_THROWS_AS(code("("), BadInput);
+}
+
+TEST_CASE("A filter that finds nothing is refused before anything runs, with the groups") {
+  const auto never = [](Recorder&) { FAIL("ran"); };
+  const std::vector<VerifyCase> cases{one_precision("group/case", never, VerifyCase::When::always),
+                                      one_precision("other/long", never, VerifyCase::When::nightly)};
+  const verify::Lines lines{{"group/case", {"group/case/value"}}, {"other/long", {"other/long/value"}}};
+  using Catch::Matchers::Message;
+  CHECK_THROWS_MATCHES(verify::report(cases, lines, {.filter = "no/such"}), BadInput,
+                       Message("--filter: no check is called 'no/such'; a part of group/case/quantity is accepted, "
+                               "the groups are group other"));
+  CHECK_THROWS_MATCHES(verify::report(cases, lines, {.filter = "other"}), BadInput,
+                       Message("--filter: only long checks are called 'other'; --nightly runs them"));
+}
+
+TEST_CASE("A case that prints other lines than lines.txt has is an error of the program") {
+  const auto value = [](Recorder& r) { r.relative("value", 1, 1, {1, 1}, "test"); };
+  const std::vector<VerifyCase> cases{one_precision("group/case", value, VerifyCase::When::always)};
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{}, {"group/case/name"}, {"group/case/value", "group/case/more"}})
+    CHECK_THROWS_AS(verify::report(cases, {{"group/case", names}}, {}), std::logic_error);
+  CHECK_THROWS_AS(verify::report(cases, {}, {}), std::logic_error);
+  CHECK(verify::report(cases, {{"group/case", {"group/case/value"}}}, {}) == exit_done);
 }
 
 TEST_CASE("Names of cases are group/case, the groups are those that are documented, and follow one another") {
@@ -78,6 +108,11 @@ TEST_CASE("Names of cases are group/case, the groups are those that are document
     CHECK(known.count(group) == 1);
     if (group != last) CHECK(groups.insert(group).second);
     last = group;
+  }
+  for (const auto& [name, lines] : verify::all_lines()) {
+    INFO(name);
+    CHECK(names.count(name) == 1);
+    CHECK(std::set<std::string>(lines.begin(), lines.end()).size() == lines.size());
   }
 }
 
@@ -99,4 +134,8 @@ TEST_CASE("verify --json prints one document and nothing else") {
   const Outcome none = place.gyrosim("verify --json --filter no/such");
   CHECK(none.code == 2);
   CHECK(none.out.empty());
+  CHECK(none.err.find("the groups are hertz restitution") != std::string::npos);
+  const nlohmann::json line = nlohmann::json::parse(place.gyrosim("verify --json --filter hertz/glass/force").out);
+  CHECK(line.at("checks").size() == 2);  // in both precisions
+  CHECK(line.at("groups").size() == 1);
 }
