@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What mechanics asks of any scene: frame, turn, mirror, order, time, momenta.
 #include "app/verify/bonded.hpp"
-#include "app/verify/check.hpp"
+#include "app/verify/bulk.hpp"
 
 #include <algorithm>
 #include <array>
@@ -184,7 +184,7 @@ void momenta(Recorder& out) {
                {1e-12, 1e-6}, "closed system");
 }
 
-const std::array<Case, 7> cases{{
+const std::array<Case, 8> cases{{
     {"generic/free-fall", free_fall},
     {"generic/drift", drift},
     {"generic/turned-scene", turned_scene},
@@ -192,6 +192,7 @@ const std::array<Case, 7> cases{{
     {"generic/permutation", permutation},
     {"generic/time-reversal", time_reversal},
     {"generic/momenta", momenta},
+    {"generic/repose", repose, Case::Precisions::one, Case::When::nightly},
 }};
 
 }  // namespace
