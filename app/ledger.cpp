@@ -70,7 +70,7 @@ std::optional<std::string> Ledger::verdict(double time) const {
   if (const std::string passed = passed_limit(); !passed.empty()) {
     why << passed;
   } else {
-    const bool little = work() <= limits_.energy_floor * largest_state_ || work() == 0;
+    const bool little = work() < largest_state_;
     const double scale = little ? largest_state_ : work();
     const double lag = limits_.lag_steps * limits_.contact_step * power_;
     // A balance that is not a number must not pass for one that is small.

@@ -15,8 +15,8 @@ namespace gyro {
 struct LedgerLimits {
   /// Hertz's law is long left at an overlap of 0.3, where the log warns.
   StepLimits step;
-  double energy_fraction = 0.05;  ///< residual / work done; of the largest energy seen while there is less work than
-  double energy_floor = 1e-3;     ///< this share of the largest kinetic + elastic energy seen [-]
+  /// Residual over the larger of the work done and the largest kinetic + elastic energy seen [-].
+  double energy_fraction = 0.05;
   /// Step of the contacts, held ones included [s]. Their forces and the energies are up to one of it apart, so that the
   /// balance may also be off by `lag_steps` times the work of such a step: much of all work just after the first touch.
   double contact_step = 0;
