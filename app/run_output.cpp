@@ -92,6 +92,7 @@ std::vector<Channel> RunOutput::series_channels() const {
     c.push_back({"motor_torque", "N m"});
     c.push_back({"mantle_torque", "N m"});
     c.push_back({"motor_power", "W"});
+    c.push_back({"loss_power", "W"});
   }
   if (has_mantle_) {
     c.push_back({"crushing_power", "W"});
@@ -195,6 +196,7 @@ void RunOutput::add_means(const WindowResult& result, const Simulation& simulati
   add("motor_torque", {m.motor_torque});
   add("mantle_torque", {m.mantle_torque});
   add("motor_power", {m.motor_power});
+  add("loss_power", {m.loss_power});
   add("power_residual", {m.power_residual});
 }
 

@@ -32,6 +32,8 @@ std::string to_string(DriveEventKind kind) {
       return "restart";
     case DriveEventKind::reversed_restart:
       return "reversed restart";
+    case DriveEventKind::held:
+      return "held at rest";
   }
   return "unknown";
 }

@@ -36,7 +36,8 @@ enum class DriveEventKind {
   instantaneous_trip,  ///< motor off: current
   under_speed_trip,    ///< motor off: too slow for too long
   restart,             ///< motor on again, same sense
-  reversed_restart     ///< motor on again, other sense
+  reversed_restart,    ///< motor on again, other sense
+  held                 ///< at rest between rock and motor, after the rock had turned it back
 };
 
 struct DriveEvent {

@@ -265,6 +265,7 @@ void Shaft::set_signs(ShaftMotion& motion, ShaftTurn& sum, bool after_leg) {
   const double sense = motion.motor.sense;
   if (signs_.direction * sense < 0 && motion.direction * sense >= 0)
     sum.events.push_back({motion.time, DriveEventKind::turned_back});
+  if (signs_.direction == 0 && motion.direction * sense < 0) sum.events.push_back({motion.time, DriveEventKind::held});
   motion.direction = signs_.direction;
   motion.slip = signs_.slip;
 }

@@ -53,7 +53,7 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
         "motor_torque", "mantle_torque",        "motor_power",        "crushing_power",  "mantle_force",
         "feed_mass",    "discharged_mass",      "holdup_mass",        "throughput",      "particles",
         "bonds_intact", "bonds_broken_tension", "bonds_broken_shear", "fragments",       "max_overlap_ratio",
-        "wall_seconds"}) {
+        "loss_power",   "wall_seconds"}) {
     INFO(name);
     const std::size_t columns = std::string(name) == "mantle_force" ? 3 : 1;
     CHECK(result_of(run, std::string("series/") + name).size() == 120 * columns);

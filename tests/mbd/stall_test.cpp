@@ -147,6 +147,32 @@ TEST_CASE("Machine bound to a spring rocks, comes to rest in its friction and st
   CHECK(watch.wall_creep == 0);
 }
 
+TEST_CASE("Turned back and held: friction catches the machine out of backward motion, and that is told",
+          "[mbd][stall]") {
+  // Forward until (1 + f) k x stops it at x0, back to 2 x_b - x0 with x_b = M / ((1 - f) k): held there if that is
+  // above M / ((1 + f) k). With f = 0.3 and this spring x0 is about 1.7 M / k, between 1.43 (turned back) and 2.09
+  // (held).
+  const double stiffness = 3200;  // [N m/rad]
+  Drivetrain drivetrain({.motor = DroopMotor{.synchronous_speed = 20, .stall_torque = 50e3},
+                         .eccentric_inertia = 4000,
+                         .losses = {.load_factor = 0.3}});
+  int k = 0;
+  const auto window = [&] {
+    exchange(drivetrain, window_number(k++, length), [&](double a, double b) { return stiffness * (a + b) / 2; });
+  };
+  while (k < 6000 && !drivetrain.stuck()) window();
+  REQUIRE(drivetrain.stuck());
+  const double angle = drivetrain.state().angle, rested = k * length;
+  for (int n = 0; n < 500; ++n) window();
+  CHECK(drivetrain.state().angle == angle);
+  const auto events = drivetrain.events();
+  REQUIRE(events.size() == 3);
+  CHECK(events[0].kind == DriveEventKind::stall);
+  CHECK(events[1].kind == DriveEventKind::turned_back);
+  CHECK(events[2].kind == DriveEventKind::held);
+  CHECK(events[2].time == Approx(rested).margin(1.01 * length));
+}
+
 TEST_CASE("Rigid jam that only resists: rattle falls with the window", "[mbd][stall]") {
   // The hardest load for held values: it jumps with the direction and has no elasticity at all. The wall
   // turns round up to two windows after the shaft, so the speed may gather three windows' impulses.
