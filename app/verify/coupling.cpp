@@ -105,7 +105,7 @@ void averaged(Recorder& out) {
   double before = 0;
   for (const int split : {1, 2, 4, 8, 16}) {
     const double error = speed_error(split, exact, [&](double a, double b, double w) { return load.mean(a, b, w); });
-    if (before > 0) out.within("order-at-" + milliseconds(split), std::log2(before / error), 1.7, 2.3, "second order");
+    if (before > 0) out.within("order-at-" + milliseconds(split), std::log2(before / error), 1.8, 2.2, "second order");
     before = error;
   }
   out.absolute("speed-error-at-5e-4-s", before, 0, {1e-6, 1e-6}, "monolithic integration by CVODE");
