@@ -66,6 +66,7 @@ CheckpointKeeper::CheckpointKeeper(const std::filesystem::path& directory, const
     : file_(checkpoint_file(directory)), input_(input) {}
 
 void CheckpointKeeper::take(const Simulation& simulation, const RunOutput& output) {
+  if (!simulation.unsaveable().empty()) return;
   const Clock::time_point before = Clock::now();
   good_ = simulation.save();
   output.save(good_);
@@ -91,6 +92,7 @@ void CheckpointKeeper::write(const Simulation& simulation, RunOutput& output) {
 
 void CheckpointKeeper::write_last_good(RunOutput& output) {
   output.sync();
+  if (good_.columns().empty()) return;  // a run whose state cannot be saved
   write_state(file_, good_);
   written_ = Clock::now();
 }

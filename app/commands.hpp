@@ -62,6 +62,9 @@ int verify_command(const VerifyArguments& arguments);
 int bench_accuracy_command(const BenchAccuracyArguments& arguments);
 /// The series of a run as CSV, to a file or standard output; names carry the unit.
 int export_command(const std::filesystem::path& run, const std::optional<std::filesystem::path>& out);
+/// The drivetrain of a case, or of the case of a run, as an FMI 2.0 co-simulation FMU.
+/// @param out  default: the case's name with .fmu, in the working directory
+int export_fmu_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int init_command(const std::string& name);
 int info_command(bool json);
 

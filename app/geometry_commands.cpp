@@ -19,6 +19,7 @@ namespace {
 constexpr double bulk_density_of_rock = 1600;  // brochures state capacities at 1.6 t/m3
 
 double eccentric_speed(const Case& input) {
+  if (input.drivetrain_fmu) return open_drive(*input.drivetrain_fmu)->idle_speed();
   if (!input.drivetrain) return 160 * 2 * 3.14159265358979323846 / 60;
   return idle_speed(*input.drivetrain);
 }

@@ -97,8 +97,8 @@ int guarded(const std::function<int()>& command) {
 /// What any command may be told.
 struct Arguments {
   RunArguments run;
-  CaseArguments check, library, liners;
-  std::optional<std::filesystem::path> library_out, export_out;
+  CaseArguments check, library, liners, fmu;
+  std::optional<std::filesystem::path> library_out, export_out, fmu_out;
   std::filesystem::path liners_out, exported;
   VerifyArguments verify;
   BenchAccuracyArguments accuracy;
@@ -147,8 +147,13 @@ void add_other_commands(CLI::App& app, Arguments& a) {
   add_bench_accuracy(*c, a.accuracy);
   c->callback([&a] { a.chosen = [&a] { return bench_accuracy_command(a.accuracy); }; });
 
-  c = app.add_subcommand("export", "write results in another form")->require_subcommand(1);
-  c = c->add_subcommand("csv", "the series of a run as CSV");
+  CLI::App* forms = app.add_subcommand("export", "write results in another form")->require_subcommand(1);
+  c = forms->add_subcommand("fmu", "the drivetrain as an FMI 2.0 co-simulation FMU");
+  c->add_option("CASE", a.fmu.file, "case file, or directory of a run")->required();
+  c->add_option("--set", a.fmu.set, "override a key: key.path=value")->allow_extra_args(false);
+  c->add_option("--out", a.fmu_out, "file; default CASE.fmu in the working directory");
+  c->callback([&a] { a.chosen = [&a] { return export_fmu_command(a.fmu, a.fmu_out); }; });
+  c = forms->add_subcommand("csv", "the series of a run as CSV");
   c->add_option("RUNDIR", a.exported, "directory of a run")->required();
   c->add_option("--out", a.export_out, "file; default standard output");
   c->callback([&a] { a.chosen = [&a] { return export_command(a.exported, a.export_out); }; });

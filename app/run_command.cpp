@@ -131,6 +131,7 @@ class Run {
   }
 
   void log_drive_events() {
+    for (const std::string& note : simulation_.take_drive_notes()) log_.warning(note);
     if (!simulation_.drivetrain() || simulation_.drivetrain()->state().events == drive_events_logged_) return;
     const std::vector<DriveEvent> events = simulation_.drivetrain()->events();
     for (auto k = static_cast<std::size_t>(drive_events_logged_); k < events.size(); ++k)
@@ -161,7 +162,18 @@ class Run {
                   static_cast<long long>(simulation_.dem().counts().particles),
                   static_cast<long long>(simulation_.dem().counts().bonds_intact));
     log_.info(line);
+    log_drive_fmu();
     if (!arguments_.quiet) std::cerr << line << "\nresults in " << directory_.path.string() << "\n";
+  }
+
+  void log_drive_fmu() {
+    if (!input_.drivetrain_fmu) return;
+    const DriveFmu& fmu = *input_.drivetrain_fmu;
+    log_.warning("the drivetrain is native code of " + fmu.file.string() + " (" + fmu.model_name +
+                 (fmu.generation_tool.empty() ? "" : ", " + fmu.generation_tool) +
+                 "), which runs with the rights of this program");
+    if (const std::string reason = simulation_.unsaveable(); !reason.empty())
+      log_.warning("this run has no checkpoints: " + reason + "; --resume starts it anew");
   }
 
   void log_resumption(const SavedState& saved) {

@@ -69,7 +69,8 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
     : input_(input),
       assembly_(assembly),
       has_mantle_(assembly.gyrating != none),
-      has_drive_(input.drivetrain.has_value()),
+      has_drive_(input.drivetrain || input.drivetrain_fmu),
+      drive_knows_(input.drivetrain_fmu ? knowledge_of(input.drivetrain_fmu->links) : DriveKnowledge{}),
       has_bonds_(input.bonds.has_value()),
       has_feed_(input.feed.has_value()),
       has_product_(input.crusher.has_value()),
@@ -85,14 +86,14 @@ std::vector<Channel> RunOutput::series_channels() const {
   using hdf5::Number;
   std::vector<Channel> c{{"time", "s"}};
   if (has_drive_) {
-    c.push_back({"motor_speed", "rad/s"});
+    if (drive_knows_.motor_speed) c.push_back({"motor_speed", "rad/s"});
     c.push_back({"eccentric_speed", "rad/s"});
     c.push_back({"eccentric_angle", "rad"});
     c.push_back({"mantle_spin", "rad/s"});
-    c.push_back({"motor_torque", "N m"});
+    if (drive_knows_.motor_torque) c.push_back({"motor_torque", "N m"});
     c.push_back({"mantle_torque", "N m"});
-    c.push_back({"motor_power", "W"});
-    c.push_back({"loss_power", "W"});
+    if (drive_knows_.motor_power) c.push_back({"motor_power", "W"});
+    if (drive_knows_.accounts) c.push_back({"loss_power", "W"});
   }
   if (has_mantle_) {
     c.push_back({"crushing_power", "W"});

@@ -57,7 +57,9 @@ class RunOutput {
 
   const Case& input_;
   const Assembly& assembly_;
-  bool has_mantle_, has_drive_, has_bonds_, has_feed_, has_product_;
+  bool has_mantle_, has_drive_;
+  DriveKnowledge drive_knows_;
+  bool has_bonds_, has_feed_, has_product_;
   std::vector<Channel> series_;
   LinerMaps maps_;
   GyrationReader gyrations_;

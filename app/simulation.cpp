@@ -19,6 +19,12 @@ double rock_density(const Assembly& assembly) {
   return assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
 }
 
+/// Of the bushings, below the pivot; 0 where nobody asks for the forces on them [m].
+double bushing_depth(const Case& input) {
+  if (input.drivetrain) return input.drivetrain->bearings.depth;
+  return input.drivetrain_fmu ? input.drivetrain_fmu->bushing_depth : 0;
+}
+
 std::vector<std::string> wall_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Wall& wall : scene.walls) names.push_back(wall.name);
@@ -56,6 +62,9 @@ Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_
 /// What a case has besides the DEM, at its start.
 void Simulation::make_parts() {
   if (input_.drivetrain) blaming("drivetrain", [&] { drivetrain_.emplace(*input_.drivetrain); });
+  if (input_.drivetrain_fmu)
+    blaming("drivetrain.fmu",
+            [&] { drivetrain_.emplace(open_drive(*input_.drivetrain_fmu), input_.drivetrain_fmu->residual_limit); });
   if (assembly_.feed)
     blaming("feed",
             [&] { feed_.emplace(assembly_.library, *assembly_.feed, assembly_.scene.walls, bond_strength(input_)); });
@@ -103,8 +112,7 @@ MantleLoad Simulation::mantle_load(const std::vector<WallLoad>& walls, const Man
   }
   load.resisting_torque = -dot(moment, Vec3d{0, 0, 1} - u.z * u);
   load.spin_torque = dot(moment, u);
-  if (input_.drivetrain && input_.drivetrain->bearings.depth > 0)
-    load.bearings = bearing_forces(force, moment, u, input_.drivetrain->bearings.depth);
+  if (const double depth = bushing_depth(input_); depth > 0) load.bearings = bearing_forces(force, moment, u, depth);
   return load;
 }
 
@@ -161,7 +169,7 @@ double Simulation::holdup() const {
 
 bool Simulation::choked() const {
   if (!feed_ || !drivetrain_ || !assembly_.feed || !(assembly_.feed->rate > 0)) return false;
-  const double speed = idle_speed(*input_.drivetrain);
+  const double speed = drivetrain_->idle_speed();
   return fed().waiting > assembly_.feed->rate * 2 * std::numbers::pi / speed;
 }
 
@@ -187,6 +195,7 @@ SavedState Simulation::save() const {
   s.put("simulation/counts", std::vector<std::int64_t>{particles_put_in_, bonds_put_in_, fragments_});
   s.put("simulation/mass", std::vector<double>{start_mass_, mass_inside_});
   if (drivetrain_) s.put_one("drivetrain/state", drivetrain_->state());
+  if (input_.drivetrain_fmu) s.put("drivetrain/fmu", drivetrain_->drive_state());
   if (feed_) s.put_fields("feed", feed_->state());
   if (product_) s.put_fields("product", product_->state());
   ledger_.save(s);
@@ -208,7 +217,9 @@ void Simulation::restore(const SavedState& s) {
   const auto mass = s.get<double>("simulation/mass", 2);
   start_mass_ = mass[0];
   mass_inside_ = mass[1];
-  if (drivetrain_) drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain/state"));
+  std::vector<std::uint8_t> fmu;
+  if (input_.drivetrain_fmu) fmu = s.get<std::uint8_t>("drivetrain/fmu");
+  if (drivetrain_) drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain/state"), fmu);
   if (feed_) feed_->restore(s.get_fields<Feed::State>("feed"));
   if (product_) product_.emplace(rock_density(assembly_), s.get_fields<Product::State>("product"));
   ledger_.restore(s);

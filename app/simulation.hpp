@@ -58,6 +58,12 @@ class Simulation {
   double holdup() const;                             ///< mass between feed and discharge [kg]
   /// Whether the chamber takes less than the feed gives: more rock waits for room than one gyration feeds.
   bool choked() const;
+  /// Why there can be no checkpoints of this run; empty when there can.
+  std::string unsaveable() const { return drivetrain_ ? drivetrain_->unsaveable() : std::string(); }
+  /// What the drivetrain has to say since it was asked last, for the log.
+  std::vector<std::string> take_drive_notes() {
+    return drivetrain_ ? drivetrain_->take_notes() : std::vector<std::string>{};
+  }
   MassCount mass_count() const;
   std::int64_t fragments() const { return fragments_; }
   std::int64_t bonds_initial() const { return bonds_put_in_; }

@@ -7,6 +7,7 @@
 #include "core/rocks/size_distribution.hpp"
 #include "core/rocks/strength.hpp"
 #include "core/walls/liners.hpp"
+#include "io/fmu/drive_fmu.hpp"
 #include "mbd/drivetrain_parameters.hpp"
 
 #include <cstdint>
@@ -106,6 +107,12 @@ struct CaseCrusher {
   std::optional<double> removal_depth;  ///< below the discharge plane [m]; none: chosen by the program
 };
 
+/// `drivetrain` with an FMU.
+struct CaseFmu : DriveFmu {
+  double bushing_depth = 0;   ///< below the pivot; 0: it takes no forces of bearings [m]
+  double residual_limit = 0;  ///< see DrivetrainParameters
+};
+
 enum class Precision { mixed, real64 };
 
 /// `numerics`.
@@ -166,8 +173,9 @@ struct Case {
   std::vector<CaseWall> walls;
   std::optional<CaseCrusher> crusher;
   std::optional<DrivetrainParameters> drivetrain;
-  double coupling_interval = 0.5e-3;  ///< [s]
-  Vec3d gravity{0, 0, -9.81};         ///< [m/s2]
+  std::optional<CaseFmu> drivetrain_fmu;  ///< instead of drivetrain
+  double coupling_interval = 0.5e-3;      ///< [s]
+  Vec3d gravity{0, 0, -9.81};             ///< [m/s2]
   CaseNumerics numerics;
   std::optional<CaseParticles> particles;
   CaseOutput output;

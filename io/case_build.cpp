@@ -203,9 +203,12 @@ Case build_case(const Setting& root, const CaseTables& tables) {
   if (const Setting* walls = root.find("walls"))
     for (const Setting& wall : walls->children) made.walls.push_back(wall_of(wall, made));
   if (const Setting* feed = root.find("feed")) made.feed = feed_of(*feed, made.walls);
-  if (const Setting* drive = root.find("drivetrain")) made.drivetrain = build_drivetrain(*drive, tables, *made.crusher);
+  made.drivetrain_fmu = tables.fmu;
+  if (const Setting* drive = root.find("drivetrain"); drive != nullptr && !tables.fmu)
+    made.drivetrain = build_drivetrain(*drive, tables, *made.crusher);
   made.coupling_interval = root.number("coupling.interval");
   if (made.drivetrain) made.drivetrain->residual_limit = root.number("coupling.residual_limit");
+  if (made.drivetrain_fmu) made.drivetrain_fmu->residual_limit = root.number("coupling.residual_limit");
   made.gravity = vector_of(*root.find("gravity"));
   made.numerics = {root.text("numerics.precision") == "double" ? Precision::real64 : Precision::mixed,
                    static_cast<int>(root.number("numerics.substeps"))};

@@ -29,6 +29,7 @@ struct CaseTables {
   std::vector<PassingPoint> sieves;
   CurveMotor motor;
   VoltageInput voltage;
+  std::optional<CaseFmu> fmu;
   std::vector<StartParticle> particles;
   std::vector<StartBond> bonds;
 };
@@ -45,6 +46,9 @@ CaseTables read_tables(const Setting& root, CaseProblems& problems);
 
 /// The start state of `particles`.
 void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems& problems);
+
+/// `drivetrain.fmu`, which is there: its description, and the variables and parameters that the case names.
+void read_drive_fmu(const Setting& root, CaseTables& tables, CaseProblems& problems);
 
 /// Checks what concerns more than one key. Keys with problems of their own may be missing.
 void check_settings(const Setting& root, CaseProblems& problems);

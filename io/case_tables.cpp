@@ -149,6 +149,7 @@ CaseTables read_tables(const Setting& root, CaseProblems& problems) {
   if (const auto file = table_file(root.find("drivetrain.motor.file"))) tables.motor = read_motor(*file, problems);
   if (const auto file = table_file(root.find("drivetrain.motor.voltage_file")))
     tables.voltage = read_voltage(*file, problems);
+  if (table_file(root.find("drivetrain.fmu"))) read_drive_fmu(root, tables, problems);
   if (table_file(root.find("particles.file"))) read_start_state(*root.find("particles"), tables, problems);
   check_probes(root, tables, problems);
   return tables;

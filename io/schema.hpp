@@ -29,6 +29,7 @@ enum class KeyType {
   words,     ///< list of words, not empty
   files,     ///< list of paths, not empty
   passing,   ///< list of pairs [size, passing]
+  values,    ///< map of names the user chooses to plain numbers or truth values
 };
 
 /// Limits of a number, in SI.
@@ -49,8 +50,10 @@ struct Key {
   bool defaulted = false;          ///< a section that is always there, with its keys' defaults
   std::string_view fallback = {};  ///< default as YAML text; empty: none
   Range range = {};
-  std::string_view words = {};   ///< `a|b`: accepted words, for quantities and sections beside their own form
-  std::string_view when = {};    ///< `model=droop|curve`: only where the neighbour key says so, and required there
+  std::string_view words = {};  ///< `a|b`: accepted words, for quantities and sections beside their own form
+  /// `model=droop|curve`: only where the neighbour key says so, and required there; `fmu`: only beside that key;
+  /// `!fmu`: only without it.
+  std::string_view when = {};
   std::string_view one_of = {};  ///< `a+b|c`: exactly one of these groups of keys, of a section
   std::string_view doc = {};
 

@@ -49,6 +49,9 @@ std::string properties_of(const Key& key) {
     case KeyType::passing:
       text = "list of pairs";
       break;
+    case KeyType::values:
+      text = "map of names to numbers or truth values";
+      break;
   }
   const bool measured = key.type == KeyType::quantity || key.type == KeyType::vector || key.type == KeyType::interval ||
                         key.type == KeyType::passing;
@@ -61,10 +64,15 @@ std::string properties_of(const Key& key) {
       groups += (groups.empty() ? "" : " | ") + std::string(group);
     text += " with exactly one of " + groups;
   }
-  if (!key.fallback.empty()) return text + "; default " + std::string(key.fallback);
-  if (!key.when.empty()) return text + "; required with " + std::string(key.when);
-  if (key.required) return text + "; required";
-  return text + (key.defaulted ? "; all its keys have defaults" : "; optional");
+  const bool beside = !key.when.empty() && key.when.find('=') == std::string_view::npos;
+  std::string condition;
+  if (beside)
+    condition = key.when.starts_with('!') ? ", without " + std::string(key.when.substr(1))
+                                          : ", beside " + std::string(key.when);
+  if (!key.fallback.empty()) return text + "; default " + std::string(key.fallback) + condition;
+  if (!key.when.empty() && !beside) return text + "; required with " + std::string(key.when);
+  if (key.required) return text + "; required" + condition;
+  return text + (key.defaulted ? "; all its keys have defaults" : "; optional") + condition;
 }
 
 std::string entry_of(const Key& key) {

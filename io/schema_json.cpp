@@ -63,6 +63,8 @@ Json value_schema(const Key& key) {
               {"propertyNames", {{"pattern", "^" + name + (pairs ? "/" + name : "") + "$"}}},
               {"additionalProperties", section_schema(std::string(key.path) + (pairs ? ".<pair>" : ".<name>"), {})}};
     }
+    case KeyType::values:
+      return {{"type", "object"}, {"additionalProperties", {{"type", {"number", "boolean"}}}}};
     case KeyType::quantity:
       return quantity_schema(key);
     case KeyType::integer: {
@@ -101,6 +103,15 @@ Json value_schema(const Key& key) {
   return {};
 }
 
+/// A key that stands only beside another one, or only without it.
+Json neighbour_schema(const Key& key) {
+  const bool wanted = !key.when.starts_with('!');
+  const Json neighbour = {{"required", Json::array({std::string(key.when.substr(wanted ? 0 : 1))})}};
+  const Json there = {{"required", Json::array({std::string(key.name())})}}, barred = {{"not", there}};
+  const Json allowed = key.required ? there : Json::object();
+  return {{"if", neighbour}, {"then", wanted ? allowed : barred}, {"else", wanted ? barred : allowed}};
+}
+
 Json section_schema(std::string_view pattern, std::string_view one_of) {
   Json properties = Json::object(), required = Json::array(), cases = Json::array();
   for (const Key* key : keys_below(pattern)) {
@@ -108,9 +119,13 @@ Json section_schema(std::string_view pattern, std::string_view one_of) {
     properties[name] = value_schema(*key);
     properties[name]["description"] = key->doc;
     if (!key->fallback.empty()) properties[name]["default"] = key->fallback;
-    if (key->required) required.push_back(name);
+    if (key->required && key->when.empty()) required.push_back(name);
     if (key->when.empty()) continue;
     const std::size_t equals = key->when.find('=');
+    if (equals == std::string_view::npos) {
+      cases.push_back(neighbour_schema(*key));
+      continue;
+    }
     const std::string neighbour(key->when.substr(0, equals));
     const Json there = {{"required", Json::array({name})}};
     cases.push_back({{"if",

@@ -68,7 +68,7 @@ class Reader {
     const std::string path = shown.empty() ? std::string(key.name()) : shown + "." + std::string(key.name());
     const YamlEntry* entry = map.find(key.name());
     bool required = key.required;
-    if (!key.when.empty() && !applies(section, key, entry, path, required)) return;
+    if (!key.when.empty() && !applies(section, key, map, path, required)) return;
     if (!absent(entry)) {
       Setting setting{.key = &key, .name = std::string(key.name()), .mark = entry->value.mark, .given = true};
       if (read_value(setting, key, *entry, path))
@@ -84,10 +84,11 @@ class Reader {
     }
   }
 
-  /// Whether a key with a condition belongs here; then it is required.
-  bool applies(const Setting& section, const Key& key, const YamlEntry* entry, const std::string& path,
-               bool& required) {
+  /// Whether a key with a condition belongs here; one that depends on a neighbour's word is then required.
+  bool applies(const Setting& section, const Key& key, const YamlNode& map, const std::string& path, bool& required) {
+    const YamlEntry* entry = map.find(key.name());
     const std::size_t equals = key.when.find('=');
+    if (equals == std::string_view::npos) return stands_beside(key, map, path);
     const std::string_view neighbour = key.when.substr(0, equals);
     const Setting* said = section.find(neighbour);
     if (said == nullptr) return false;  // its own problem is already known
@@ -97,6 +98,17 @@ class Reader {
       problem(entry->mark, path + " does not belong to " + std::string(neighbour) + ": " + said->texts[0] +
                                "; it goes with " + std::string(neighbour) + ": " + choice(words));
     return required;
+  }
+
+  /// Whether the neighbour that a key needs, or must not have, is there or not.
+  bool stands_beside(const Key& key, const YamlNode& map, const std::string& path) {
+    const bool wanted = !key.when.starts_with('!');
+    const std::string neighbour(key.when.substr(wanted ? 0 : 1));
+    if (absent(map.find(neighbour)) != wanted) return true;
+    if (const YamlEntry* entry = map.find(key.name()); !absent(entry))
+      problem(entry->mark, path + (wanted ? " goes with " + neighbour + " only; it is accepted beside that key"
+                                          : " does not go with " + neighbour + "; one of the two is accepted"));
+    return false;
   }
 
   Setting default_of(const Key& key, Mark mark) {
@@ -119,6 +131,7 @@ class Reader {
     }
     if (key.type == KeyType::section) return read_map(setting, key, entry, path);
     if (key.type == KeyType::named) return read_named(setting, key, entry, path);
+    if (key.type == KeyType::values) return read_values(setting, key, entry, path);
     return values_.read(setting, key, node, path);
   }
 
@@ -186,6 +199,25 @@ class Reader {
       }
       Setting child{.key = &key, .name = named.key, .mark = named.mark, .given = true};
       read_section(child, pattern, named.value, shown);
+      setting.children.push_back(std::move(child));
+    }
+    return true;
+  }
+
+  /// Names of any letters, as a foreign program gives them.
+  bool read_values(Setting& setting, const Key& key, const YamlEntry& entry, const std::string& path) {
+    if (entry.value.kind != Kind::map) return values_.wrong_form(key, entry.value, path);
+    setting.mark = entry.mark;
+    const Key number{.path = key.path, .type = KeyType::quantity};
+    for (const YamlEntry& named : entry.value.entries) {
+      if (absent(&named)) continue;
+      Setting child{.key = &key, .name = named.key, .mark = named.mark, .given = true};
+      const std::string& text = named.value.text;
+      if (named.value.kind == Kind::scalar && (text == "true" || text == "false"))
+        child.numbers = {text == "true" ? 1.0 : 0.0};
+      else if (!values_.read(child, number, named.value, path + "." + named.key))
+        continue;
+      child.key = &key;
       setting.children.push_back(std::move(child));
     }
     return true;

@@ -212,6 +212,8 @@ std::string form_of(const Key& key) {
       return "a list of paths";
     case KeyType::passing:
       return "a list of at least two pairs [size, share smaller]";
+    case KeyType::values:
+      return "a map of names to numbers or truth values";
   }
   return {};
 }

@@ -62,10 +62,12 @@ std::string value_text(const Setting& setting) {
 
 void write_below(const Setting& section, const std::string& indent, std::string& text) {
   for (const Setting& child : section.children) {
-    text += indent + child.name + ":";
+    const bool named_value = section.key != nullptr && section.key->type == KeyType::values;
+    text += indent + (named_value ? quoted_text(child.name) : child.name) + ":";
     // A section may be one of its words instead, as `motion: fixed`.
     const bool map = child.texts.empty() && child.numbers.empty() &&
-                     (child.key->type == KeyType::section || child.key->type == KeyType::named);
+                     (child.key->type == KeyType::section || child.key->type == KeyType::named ||
+                      child.key->type == KeyType::values);
     if (!map) {
       text += " " + value_text(child) + "\n";
     } else if (child.children.empty()) {

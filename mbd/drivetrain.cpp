@@ -2,9 +2,11 @@
 #include "mbd/drivetrain.hpp"
 
 #include "core/base/errors.hpp"
+#include "mbd/shaft.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace gyro {
@@ -20,9 +22,13 @@ bool same(const Window& a, const Window& b) {
 
 }  // namespace
 
-Drivetrain::Drivetrain(const DrivetrainParameters& parameters) : parameters_(parameters), shaft_(parameters) {
-  state_.angle = state_.wall_angle = parameters.start_angle;
-  set_motion(shaft_.start(parameters));
+Drivetrain::Drivetrain(const DrivetrainParameters& parameters)
+    : Drivetrain(std::make_unique<Shaft>(parameters), parameters.residual_limit) {}
+
+Drivetrain::Drivetrain(std::unique_ptr<Drive> drive, double residual_limit)
+    : drive_(std::move(drive)), residual_limit_(drive_->knows().accounts ? residual_limit : 0) {
+  state_.angle = state_.wall_angle = drive_->start_angle();
+  set_motion(drive_->start());
   state_.start_energy = kinetic_energy();
 }
 
@@ -51,9 +57,9 @@ MantlePath Drivetrain::predict(const Window& window) {
   const double length = window.length();
   MantlePath path{.angle = state_.wall_angle, .spin_angle = state_.wall_spin_angle, .spin = state_.spin};
   ShaftMotion ahead = motion();
-  const ShaftTurn turn = shaft_.turn(length, last_load(), ahead);
-  if (shaft_.constant_speed()) {
-    path.angle = parameters_.start_angle + state_.speed * window.begin();
+  const ShaftTurn turn = drive_->preview(length, last_load(), ahead);
+  if (drive_->constant_speed()) {
+    path.angle = drive_->start_angle() + state_.speed * window.begin();
     path.speed = state_.speed;
   } else {
     // A stuck shaft holds the wall where it is, a hair from its own angle: closing that gap would
@@ -88,12 +94,13 @@ void Drivetrain::advance(const Window& window, const MantleLoad& load) {
   state_.bushing_force = load.bearings.bushing;
   state_.spider_force = load.bearings.spider;
   ShaftMotion moved = motion();
-  const ShaftTurn turn = shaft_.turn(window.length(), last_load(), moved);
+  const ShaftTurn turn = drive_->turn(window.length(), last_load(), moved);
   predicted_.reset();
   state_.rock_work += load.work;
   take_up(window, turn, moved);
   means_.crushing_power = load.work / window.length();
   means_.power_residual = (turn.motor_work - turn.loss_work - load.work - turn.kinetic_gain) / window.length();
+  if (!drive_->knows().accounts) means_.power_residual = std::numeric_limits<double>::quiet_NaN();
   judge_window(turn, load.work, window.length());
 }
 
@@ -101,14 +108,14 @@ void Drivetrain::advance(const Window& window, const MantleLoad& load) {
 void Drivetrain::judge_window(const ShaftTurn& turn, double work, double length) {
   constexpr double memory = 1.0 / 16;
   constexpr double most_divisor = 256;
-  if (!(parameters_.residual_limit > 0)) return;
+  if (!(residual_limit_ > 0)) return;
   const double passed = std::max({std::abs(turn.motor_work), std::abs(work), std::abs(turn.kinetic_gain)}) / length;
   state_.residual_mean += memory * (std::abs(means_.power_residual) - state_.residual_mean);
   state_.passed_mean += memory * (passed - state_.passed_mean);
   ++state_.windows_judged;
   if (state_.windows_judged < 1 / memory) return;             // since the last change
   const double rounding = 1e-12 * kinetic_energy() / length;  // of an idle drive
-  const double limit = parameters_.residual_limit * state_.passed_mean + rounding;
+  const double limit = residual_limit_ * state_.passed_mean + rounding;
   const double divisor = state_.window_divisor;
   if (state_.residual_mean > limit && divisor < most_divisor) state_.window_divisor *= 2;
   if (state_.residual_mean < limit / 16 && divisor > 1) state_.window_divisor /= 2;
@@ -121,7 +128,7 @@ void Drivetrain::take_up(const Window& window, const ShaftTurn& turn, const Shaf
   set_motion(moved);
   state_.time = window.end();
   state_.angle =
-      shaft_.constant_speed() ? parameters_.start_angle + state_.speed * window.end() : state_.angle + turn.angle;
+      drive_->constant_speed() ? drive_->start_angle() + state_.speed * window.end() : state_.angle + turn.angle;
   state_.spin_angle += turn.spun;
   state_.motor_work += turn.motor_work;
   state_.loss_work += turn.loss_work;
@@ -152,21 +159,22 @@ std::vector<DriveEvent> Drivetrain::events() const {
   return kept;
 }
 
-void Drivetrain::restore(const DrivetrainState& state) {
+void Drivetrain::restore(const DrivetrainState& state, std::span<const std::uint8_t> drive_state) {
+  drive_->restore(drive_state);
   state_ = state;
   predicted_.reset();
 }
 
 double Drivetrain::motor_speed() const {
-  return shaft_.motor_speed(motion());
+  return drive_->motor_speed(motion());
 }
 
 double Drivetrain::kinetic_energy() const {
-  return shaft_.energy(motion());
+  return drive_->energy(motion());
 }
 
 double Drivetrain::motor_torque() const {
-  return shaft_.motor_torque_now(motion(), last_load());
+  return drive_->motor_torque_now(motion(), last_load());
 }
 
 double Drivetrain::energy_residual() const {

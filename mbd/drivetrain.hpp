@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/dem/window.hpp"
-#include "mbd/drivetrain_parameters.hpp"
-#include "mbd/shaft.hpp"
+#include "mbd/drive.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace gyro {
@@ -66,7 +66,8 @@ struct DrivetrainMeans {
   double crushing_power = 0;   ///< from the mantle to the rock [W]
   /// Motor power - losses - crushing power - gain of kinetic energy [W]: what the exchange of held
   /// values creates or destroys. Falls with the square of the window; large against the crushing
-  /// power means that the window is too long for the rock's stiffness and the inertia.
+  /// power means that the window is too long for the rock's stiffness and the inertia. NaN for a drive that does not
+  /// say what it takes.
   double power_residual = 0;
 };
 
@@ -85,6 +86,8 @@ class Drivetrain {
   /// At time 0, at start_angle; running at idle_speed, or at rest.
   /// @throws BadInput as check_drivetrain
   explicit Drivetrain(const DrivetrainParameters& parameters);
+  /// The same for any drive. @param residual_limit  see DrivetrainParameters
+  Drivetrain(std::unique_ptr<Drive> drive, double residual_limit);
 
   /// Path of the mantle over the window; exactly still while the shaft is stuck.
   MantlePath predict(const Window& window);
@@ -94,14 +97,22 @@ class Drivetrain {
   void advance(const Window& window, const MantleLoad& load);
 
   const DrivetrainState& state() const { return state_; }
+  /// Why a run with this drive has no checkpoints; empty when it has.
+  std::string unsaveable() const { return drive_->unsaveable(); }
+  /// What its drive has to save beyond state().
+  std::vector<std::uint8_t> drive_state() const { return drive_->save(); }
   /// Goes on from a checkpoint of a drivetrain with the same parameters.
-  void restore(const DrivetrainState& state);
+  /// @throws BadInput for the state of another drive
+  void restore(const DrivetrainState& state, std::span<const std::uint8_t> drive_state = {});
 
-  const DrivetrainMeans& means() const { return means_; }                ///< over the last window
-  double motor_speed() const;                                            ///< now [rad/s]
-  double motor_torque() const;                                           ///< now, at the motor's shaft [N m]
-  double motor_power() const { return motor_torque() * motor_speed(); }  ///< now, mechanical [W]
-  double kinetic_energy() const;                                         ///< now, with the coupling spring's [J]
+  const DrivetrainMeans& means() const { return means_; }                 ///< over the last window
+  double idle_speed() const { return drive_->idle_speed(); }              ///< of the eccentric without rock [rad/s]
+  DriveKnowledge knows() const { return drive_->knows(); }                ///< which of the means are known
+  std::vector<std::string> take_notes() { return drive_->take_notes(); }  ///< of the drive, for the log
+  double motor_speed() const;                                             ///< now [rad/s]
+  double motor_torque() const;                                            ///< now, at the motor's shaft [N m]
+  double motor_power() const { return motor_torque() * motor_speed(); }   ///< now, mechanical [W]
+  double kinetic_energy() const;                                          ///< now, with the coupling spring's [J]
   /// Motor work - losses - rock work - gain of kinetic energy, since time 0 [J].
   double energy_residual() const;
   /// How many times shorter than the case asks the next window should be: a power of 2. It doubles while
@@ -123,8 +134,8 @@ class Drivetrain {
   void keep(const DriveEvent& event);
   void judge_window(const ShaftTurn& turn, double work, double length);
 
-  DrivetrainParameters parameters_;
-  Shaft shaft_;
+  std::unique_ptr<Drive> drive_;
+  double residual_limit_;
   DrivetrainState state_;
   DrivetrainMeans means_;
   std::optional<Window> predicted_;              ///< window whose load is awaited

@@ -56,17 +56,17 @@ CvodeSession Shaft::session_of(const Layout& layout) {
 Shaft::Shaft(const DrivetrainParameters& parameters)
     : parameters_(parameters),
       model_(parameters),
-      protection_(parameters.protection, parameters.protection.any() ? idle_speed(parameters) : 0),
+      protection_(parameters.protection, parameters.protection.any() ? gyro::idle_speed(parameters) : 0),
       layout_(parameters),
       session_(session_of(layout_)) {}
 
-ShaftMotion Shaft::start(const DrivetrainParameters& parameters) const {
+ShaftMotion Shaft::start() const {
   ShaftMotion motion;
-  if (parameters.start == DrivetrainStart::rest) return motion;
-  const IdleMantle mantle = idle_mantle(parameters);
-  motion.speed = idle_speed(parameters);
+  if (parameters_.start == DrivetrainStart::rest) return motion;
+  const IdleMantle mantle = idle_mantle(parameters_);
+  motion.speed = idle_speed();
   motion.direction = +1;
-  if (model_.has_spring()) motion.motor_speed = parameters.gear_ratio * motion.speed;
+  if (model_.has_spring()) motion.motor_speed = parameters_.gear_ratio * motion.speed;
   if (model_.mantle_spins()) {
     motion.spin = mantle.spin_ratio * motion.speed;
     motion.slip = mantle.slip;

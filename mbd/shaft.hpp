@@ -2,38 +2,11 @@
 #pragma once
 
 #include "mbd/cvode_session.hpp"
-#include "mbd/shaft_model.hpp"
+#include "mbd/drive.hpp"
 
 #include <array>
-#include <vector>
 
 namespace gyro {
-
-/// Motion of the drive at one moment.
-struct ShaftMotion {
-  double speed = 0;        ///< of the eccentric [rad/s]; exactly 0 when stuck
-  int direction = 0;       ///< +1 forward, 0 stuck, -1 backward
-  double spin = 0;         ///< of the mantle about its own axis [rad/s]
-  int slip = 0;            ///< 0: the mantle is dragged along by the eccentric; +1 it runs ahead, -1 it lags
-  double motor_speed = 0;  ///< with a coupling spring; otherwise it follows from `speed` [rad/s]
-  double twist = 0;        ///< of the coupling spring [rad]
-  double time = 0;         ///< since the start of the run, for voltage and relays [s]
-  SwitchState motor{};
-};
-
-/// What the drive did in an interval.
-struct ShaftTurn {
-  double angle = 0;                ///< turned by the eccentric [rad]
-  double spun = 0;                 ///< by the mantle about its own axis [rad]
-  double motor_angle = 0;          ///< by the motor [rad]
-  double speed_change = 0;         ///< of the eccentric [rad/s]
-  double motor_impulse = 0;        ///< integral of the motor's torque over time, at its shaft [N m s]
-  double motor_work = 0;           ///< of the motor on its shaft [J]
-  double loss_work = 0;            ///< in bushings, bearings, gear, coupling and brake [J]
-  double kinetic_gain = 0;         ///< of kinetic energy, and of the coupling spring's [J]
-  double stopped_after = -1;       ///< time at which forward motion came to a halt [s]; < 0 when it did not
-  std::vector<DriveEvent> events;  ///< in order; times since the start of the run
-};
 
 /// Integrates ShaftModel over an interval under a constant load.
 ///
@@ -48,31 +21,31 @@ struct ShaftTurn {
 ///                 lags or runs ahead otherwise.
 /// Both are settled together. The two starts cannot hold at once, and under a constant load an eccentric
 /// that has left 0 does not return in the same interval, so there is no chatter.
-class Shaft {
+class Shaft : public Drive {
  public:
   /// @throws BadInput as check_drivetrain
   explicit Shaft(const DrivetrainParameters& parameters);
-  Shaft(const Shaft&) = delete;  // the integrator calls back into this object
-  Shaft& operator=(const Shaft&) = delete;
 
-  /// Integrates over `duration` > 0 [s]; changes `motion`.
-  ShaftTurn turn(double duration, const ShaftLoad& load, ShaftMotion& motion);
+  /// Depends on `motion` alone, so that any motion may be given.
+  ShaftTurn turn(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
+  ShaftTurn preview(double duration, const ShaftLoad& load, ShaftMotion& motion) override {
+    return turn(duration, load, motion);
+  }
   /// The same for a load on the eccentric alone, positive when it resists forward motion [N m].
   ShaftTurn turn(double duration, double rock_torque, ShaftMotion& motion) {
     return turn(duration, ShaftLoad{.rock_torque = rock_torque}, motion);
   }
 
-  /// The drive as it starts: idling, or at rest.
-  ShaftMotion start(const DrivetrainParameters& parameters) const;
-  /// Kinetic energy of all that turns, and energy of the coupling spring [J].
-  double energy(const ShaftMotion& motion) const;
-  /// Torque at the motor's shaft [N m]: the law's, or what the ideal drive needs under this load.
-  double motor_torque_now(const ShaftMotion& motion, const ShaftLoad& load) const;
-  double motor_speed(const ShaftMotion& motion) const {
+  ShaftMotion start() const override;  ///< idling, or at rest
+  double start_angle() const override { return parameters_.start_angle; }
+  double energy(const ShaftMotion& motion) const override;
+  /// The law's, or what the ideal drive needs under this load.
+  double motor_torque_now(const ShaftMotion& motion, const ShaftLoad& load) const override;
+  double motor_speed(const ShaftMotion& motion) const override {
     return model_.has_spring() ? motion.motor_speed : model_.gear_ratio() * motion.speed;
   }
-  /// True for the ideal drive, whose speed never changes.
-  bool constant_speed() const { return model_.ideal(); }
+  double idle_speed() const override { return gyro::idle_speed(parameters_); }
+  bool constant_speed() const override { return model_.ideal(); }
 
  private:
   // Zeros that end a leg; those of Protection follow.

@@ -39,6 +39,7 @@ LIBRARIES = (
     ("spdlog or fmt", r"(spdlog|fmt)/", ("mbd", "io", "app")),
     ("CLI11", r"CLI/", ("app",)),
     ("nlohmann-json", r"nlohmann/", ("io", "app")),
+    ("libzip or pugixml", r"(zip\.h|pugixml\.hpp)$", ("io/fmu",)),
 )
 
 

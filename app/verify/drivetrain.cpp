@@ -3,6 +3,7 @@
 #include "app/verify/check.hpp"
 #include "app/verify/machines.hpp"
 #include "app/verify/scenes.hpp"
+#include "mbd/shaft.hpp"
 
 #include <array>
 #include <cmath>

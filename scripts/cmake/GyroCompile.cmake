@@ -12,8 +12,9 @@ target_compile_options(gyro_compile INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -fno-math-errno -fno-trapping-math>)
 if(GYRO_NATIVE)
   # -Wno-psabi: packs of 16 floats are only passed inside inlined functions.
+  # Not what is handed to other machines, a target with the property GYRO_PORTABLE.
   target_compile_options(gyro_compile INTERFACE
-    $<$<COMPILE_LANGUAGE:CXX>:-march=native -mprefer-vector-width=512>)
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:$<TARGET_PROPERTY:GYRO_PORTABLE>>>>:-march=native -mprefer-vector-width=512>)
 endif()
 target_compile_options(gyro_compile INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>)
 

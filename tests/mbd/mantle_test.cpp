@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mantle's spin as a second degree of freedom: signs, dragging, rolling, bearing friction, energy.
+#include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
 #include "tests/mbd/machines.hpp"
 
@@ -134,7 +135,7 @@ TEST_CASE("Idle: spider against bushing, closed form and long run agree", "[mbd]
 TEST_CASE("The mantle breaks away beyond the bushing's torque, and is caught again", "[mbd][mantle]") {
   const double inner = 4000;
   Shaft shaft(spinning_machine(induction_450kw(), inner, 0));
-  ShaftMotion motion = shaft.start(spinning_machine(induction_450kw(), inner, 0));
+  ShaftMotion motion = shaft.start();
   const auto under = [&](double spin_torque, double duration) {
     shaft.turn(duration, ShaftLoad{.rock_torque = 5000, .spin_torque = spin_torque}, motion);
     return motion.slip;
@@ -166,7 +167,7 @@ TEST_CASE("Energy balances with spin, bearings, gear losses and spring together"
   machine.losses = {.no_load_power = 60e3, .viscous = 20};
   machine.spring = {.stiffness = stiffness, .damping = stiffness > 0 ? 200.0 : 0};
   Shaft shaft(machine);
-  ShaftMotion motion = shaft.start(machine);
+  ShaftMotion motion = shaft.start();
   const double energy_before = shaft.energy(motion);
   double motor_work = 0, spent = 0, gained = 0;
   int slips = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Relays, brake and restart, voltage, and the coupling spring.
 #include "core/base/errors.hpp"
+#include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
 #include "tests/mbd/machines.hpp"
 

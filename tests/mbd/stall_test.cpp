@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
 #include "tests/mbd/machines.hpp"
 

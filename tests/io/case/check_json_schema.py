@@ -28,6 +28,9 @@ broken = {
     "two radii": lambda c: c["bonds"]["radius"].update(absolute=0.01),
     "key of another motor": lambda c: c["drivetrain"]["motor"].update(rated_slip=0.01),
     "missing key of the motor": lambda c: c["drivetrain"]["motor"].pop("stall_torque"),
+    "an FMU beside a motor": lambda c: c["drivetrain"].update(fmu="drive.fmu"),
+    "no motor and no FMU": lambda c: c["drivetrain"].pop("motor"),
+    "a map without an FMU": lambda c: c["drivetrain"].update(map={"mantle_torque": "T"}),
     "no time": lambda c: c.pop("time"),
 }
 for name, spoil in broken.items():
@@ -36,5 +39,10 @@ for name, spoil in broken.items():
     if validator.is_valid(case):
         print(f"the schema lets this through: {name}")
         failed = True
+foreign = copy.deepcopy(good)
+foreign["drivetrain"] = {"fmu": "drive.fmu", "map": {"mantle_torque": "-T"}, "parameters": {"a.b[1]": 2.5, "c": True}}
+for error in validator.iter_errors(foreign):
+    print(f"a drivetrain FMU: {error.message[:200]}")
+    failed = True
 print(f"{len(cases)} cases checked")
 sys.exit(failed or not cases)

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gyro {
+
+/// A zip archive that is read. Its entries were checked when it was opened: no absolute paths, no `..`, no backslashes,
+/// no links, nothing twice, nothing encrypted, and no more than 1 GiB in all.
+class Archive {
+ public:
+  /// @throws BadInput for what is no such archive
+  explicit Archive(const std::filesystem::path& file);
+  ~Archive();
+  Archive(Archive&&) noexcept;
+  Archive& operator=(Archive&&) noexcept;
+
+  const std::vector<std::string>& names() const { return names_; }  ///< of files
+  bool contains(const std::string& name) const;
+  /// @throws BadInput when it is not there or damaged
+  std::string read(const std::string& name) const;
+  /// Writes the files whose names begin with a prefix below a folder. @throws BadInput, OutputError
+  void unpack(const std::string& prefix, const std::filesystem::path& folder) const;
+
+ private:
+  struct Handle;
+  std::unique_ptr<Handle> handle_;
+  std::vector<std::string> names_;
+};
+
+/// A folder of its own for as long as this lives.
+class TemporaryFolder {
+ public:
+  /// Below TMPDIR, or /tmp. @throws OutputError
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Writes a zip archive; the same entries give the same bytes. @throws OutputError
+void write_archive(const std::filesystem::path& file, const std::vector<std::pair<std::string, std::string>>& entries);
+
+}  // namespace gyro

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/errors.hpp"
+#include "io/fmu/drive_fmu.hpp"
+#include "io/schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gyro {
+namespace {
+
+constexpr std::array<int, 7> torque{1, 2, -2}, force{1, 1, -2}, angle{}, angular_speed{0, 0, -1}, impulse{1, 2, -1},
+    power{1, 2, -3}, energy{1, 2, -2};
+
+constexpr std::array<FmuQuantityInfo, fmu_quantities> quantities{{
+    {"mantle_torque", torque, true},
+    {"spin_torque", torque},
+    {"bushing_force", force},
+    {"spider_force", force},
+    {"eccentric_speed", angular_speed, true},
+    {"eccentric_angle", angle},
+    {"mantle_spin", angular_speed},
+    {"mantle_spin_angle", angle},
+    {"motor_speed", angular_speed},
+    {"motor_angle", angle},
+    {"motor_torque", torque},
+    {"motor_impulse", impulse},
+    {"motor_power", power},
+    {"motor_work", energy},
+    {"loss_work", energy},
+    {"kinetic_energy", energy},
+}};
+
+/// Units that need no definition to be understood.
+constexpr std::string_view plain_si[] = {"N.m", "Nm", "N m", "N", "rad", "1", "rad/s", "1/s", "N.m.s", "W", "J"};
+
+std::string list_of(const std::vector<std::string_view>& names) {
+  constexpr std::size_t most = 20;
+  if (names.empty()) return "none";
+  std::string text;
+  for (std::size_t k = 0; k < std::min(names.size(), most); ++k) text += (k == 0 ? "" : ", ") + std::string(names[k]);
+  return text + (names.size() > most ? ", and " + std::to_string(names.size() - most) + " more" : "");
+}
+
+/// Names of variables that could stand for a name that is not there.
+std::vector<std::string_view> names_of(const ModelDescription& model, std::string_view causality, bool real_only) {
+  std::vector<std::string_view> names;
+  for (const FmuVariable& v : model.variables)
+    if (v.causality == causality && (!real_only || v.type == "Real")) names.push_back(v.name);
+  return names;
+}
+
+std::string hint(std::string_view wanted, const std::vector<std::string_view>& names) {
+  const std::string_view meant = closest(wanted, names);
+  return meant.empty() ? "" : "did you mean \"" + std::string(meant) + "\"? ";
+}
+
+/// Factor and offset to SI.
+void take_unit(FmuLink& link, const FmuVariable& variable, const FmuQuantityInfo& info) {
+  if (variable.unit.empty()) return;  // says nothing: SI
+  if (!variable.unit_known) {
+    if (std::ranges::find(plain_si, variable.unit) == std::end(plain_si))
+      throw BadInput("the FMU's variable \"" + variable.name + "\" has the unit \"" + variable.unit +
+                     "\", which its description does not define; a unit with a BaseUnit is accepted");
+    return;
+  }
+  if (variable.si.exponents != info.exponents || !(variable.si.factor != 0) || !std::isfinite(variable.si.factor))
+    throw BadInput("the FMU's variable \"" + variable.name + "\" is in \"" + variable.unit +
+                   "\", which is no unit of " + std::string(info.name) + "; a variable with such a unit is accepted");
+  link.factor = variable.si.factor;
+  link.offset = variable.si.offset;
+}
+
+}  // namespace
+
+const FmuQuantityInfo& info_of(FmuQuantity quantity) {
+  return quantities[static_cast<std::size_t>(quantity)];
+}
+
+FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string wanted) {
+  const FmuQuantityInfo& info = info_of(quantity);
+  const bool input = is_input(quantity), turned = wanted.starts_with('-') && model.find(wanted) == nullptr;
+  if (turned) wanted.erase(0, 1);
+  const std::vector<std::string_view> names = names_of(model, input ? "input" : "output", true);
+  const std::string kind = input ? "input" : "output",
+                    accepted = "; real " + kind + "s of the FMU are " + list_of(names);
+  const FmuVariable* variable = model.find(wanted);
+  if (variable == nullptr)
+    throw BadInput("the FMU has no variable \"" + wanted + "\" for " + std::string(info.name) + "; " +
+                   hint(wanted, names) + "real " + kind + "s of the FMU are " + list_of(names));
+  const bool readable = variable->causality == "output" || variable->causality == "local";
+  if (variable->type != "Real" || !(input ? variable->causality == "input" : readable))
+    throw BadInput("the FMU's variable \"" + wanted + "\" is no real " + kind + " (" + variable->type + ", " +
+                   variable->causality + ")" + accepted);
+  FmuLink link{variable->reference};
+  take_unit(link, *variable, info);
+  if (turned) {
+    link.factor = -link.factor;
+    link.offset = -link.offset;
+  }
+  return link;
+}
+
+FmuStart start_of(const ModelDescription& model, const std::string& name, double value) {
+  const std::vector<std::string_view> names = names_of(model, "parameter", false);
+  const FmuVariable* variable = model.find(name);
+  if (variable == nullptr || variable->causality != "parameter")
+    throw BadInput("the FMU has no parameter \"" + name + "\"; " + hint(name, names) + "parameters of the FMU are " +
+                   list_of(names));
+  if (variable->type == "Real") return {variable->reference, VariableType::real, value};
+  const bool truth = variable->type == "Boolean";
+  if (variable->type == "String" || (truth ? value != 0 && value != 1 : value != std::round(value)))
+    throw BadInput("the FMU's parameter \"" + name + "\" is of type " + variable->type + "; " +
+                   (truth ? "true or false" : "a whole number for an Integer or Enumeration") + " is accepted");
+  return {variable->reference, truth ? VariableType::boolean : VariableType::integer, value};
+}
+
+}  // namespace gyro

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/fmu/model_description.hpp"
+#include "mbd/fmi/fmu_drive.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace gyro {
+
+/// A drivetrain FMU as a case asks for it: described and connected, but none of its native code has run.
+struct DriveFmu {
+  std::filesystem::path file;  ///< absolute
+  std::string model_name, generation_tool, guid, identifier;
+  bool variable_step = false, state = false, serialisation = false;
+  FmuLinks links{};
+  std::vector<FmuStart> starts;
+};
+
+/// A quantity's name in cases, and what its unit must be.
+struct FmuQuantityInfo {
+  std::string_view name;
+  std::array<int, 7> exponents;  ///< of kg, m, s, A, K, mol, cd
+  bool required = false;
+};
+const FmuQuantityInfo& info_of(FmuQuantity quantity);
+
+/// Reads the description of an FMU and sees that its library for this platform is there.
+/// @throws BadInput for what is no FMI 2.0 co-simulation FMU for linux64
+ModelDescription read_fmu(const std::filesystem::path& file);
+
+/// The variable of an FMU for a quantity. @param wanted  its name; with a minus in front its sign is turned
+/// @throws BadInput when it is not there (and says which are), is no Real of the right causality or has another unit
+FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string wanted);
+
+/// A parameter and the value that it is to have. @throws BadInput when it is not there or does not take the value
+FmuStart start_of(const ModelDescription& model, const std::string& name, double value);
+
+/// Unpacks an FMU, loads its library, which is native code, and initialises it. @throws BadInput, OutputError
+std::unique_ptr<Drive> open_drive(const DriveFmu& fmu);
+
+}  // namespace gyro

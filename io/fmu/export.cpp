@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/fmu/export.hpp"
+
+#include "core/base/errors.hpp"
+#include "io/fmu/archive.hpp"
+#include "io/fmu/model_description.hpp"
+#include "mbd/fmi/drive_slave.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+namespace gyro {
+namespace {
+
+constexpr const char* identifier = "gyro_drivetrain";
+
+/// FNV-1a, 64 bits.
+std::uint64_t digest(std::uint64_t hash, const std::string& text) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+/// In the form of a GUID, from all that makes the FMU behave as it does.
+std::string guid_of(const std::string& content) {
+  const std::uint64_t a = digest(0xcbf29ce484222325, content), b = digest(a, content);
+  char text[48];
+  std::snprintf(text, sizeof text, "{%08x-%04x-%04x-%04x-%012llx}", static_cast<unsigned>(a >> 32),
+                static_cast<unsigned>(a >> 16 & 0xffff), static_cast<unsigned>(a & 0xffff),
+                static_cast<unsigned>(b >> 48), static_cast<unsigned long long>(b & 0xffffffffffff));
+  return text;
+}
+
+std::string library_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  if (content.empty())
+    throw OutputError(file.string() + ": cannot be read; it is built beside the program and belongs into every FMU");
+  return content;
+}
+
+}  // namespace
+
+void export_drive(const DriveExport& what, const std::filesystem::path& file) {
+  const DriveSlave slave(what.drive);
+  const std::string parameters = drive_text(what.drive), library = library_of(what.library);
+  ModelIdentity identity{what.title, identifier, {}, what.tool, what.stop_time, what.step};
+  identity.guid = guid_of(write_model_description(identity, slave.variables()) + parameters + library);
+  write_archive(file, {{"modelDescription.xml", write_model_description(identity, slave.variables())},
+                       {"resources/drivetrain.txt", "guid " + identity.guid + "\n" + parameters},
+                       {std::string("binaries/linux64/") + identifier + ".so", library}});
+}
+
+}  // namespace gyro

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mbd/fmi/drive_slave.hpp"
+#include "mbd/fmi/fmi2.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// Where an instance is in the life that FMI prescribes; powers of 2, so that a function may name several.
+enum class SlaveMode : unsigned { instantiated = 1, initialising = 2, stepping = 4, terminated = 8 };
+constexpr unsigned any_mode = 15;
+
+/// What fmi2GetFMUstate hands out.
+struct SavedSlave {
+  SlaveMode mode = SlaveMode::instantiated;
+  SlaveState state;
+  std::vector<double> parameters;
+
+  std::vector<char> bytes() const;
+  /// @throws BadInput for bytes of something else
+  static SavedSlave from_bytes(const char* bytes, std::size_t size);
+};
+
+/// One fmi2Component.
+struct Fmi2Instance {
+  std::string name;
+  fmi2CallbackFunctions callbacks;
+  DrivetrainParameters as_exported;
+  std::unique_ptr<DriveSlave> slave;
+  SlaveMode mode = SlaveMode::instantiated;
+  bool changed = false;  ///< a parameter was set and has not been taken up
+  double start_time = 0;
+
+  /// @param resources  URI of the folder that holds drivetrain.txt
+  /// @throws BadInput when it cannot be read or its first line is not `guid GUID`
+  Fmi2Instance(std::string instance_name, const fmi2CallbackFunctions& functions, const std::string& guid,
+               const std::string& resources);
+
+  void log(fmi2Status status, const std::string& message) const;
+  void take_up_changes();
+  /// The variable behind a reference. @throws BadInput for one that is not there or of another type
+  const DriveVariable& variable(fmi2ValueReference reference, VariableType type) const;
+  double get(fmi2ValueReference reference, VariableType type);
+  void set(fmi2ValueReference reference, VariableType type, double value);
+  void step(double time, double duration);
+};
+
+}  // namespace gyro

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mbd/fmi/fmu_drive.hpp"
+
+#include "core/base/errors.hpp"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+
+namespace gyro {
+namespace {
+
+constexpr std::size_t most_notes = 500;  ///< of one run: a slave may talk at every step
+
+const char* name_of(fmi2Status status) {
+  constexpr const char* names[] = {"fmi2OK", "fmi2Warning", "fmi2Discard", "fmi2Error", "fmi2Fatal", "fmi2Pending"};
+  return status >= fmi2OK && status <= fmi2Pending ? names[status] : "no status of FMI";
+}
+
+bool fine(fmi2Status status) {
+  return status == fmi2OK || status == fmi2Warning;
+}
+
+int sign(double value) {
+  return (value > 0) - (value < 0);
+}
+
+}  // namespace
+
+DriveKnowledge knowledge_of(const FmuLinks& links) {
+  const auto linked = [&](FmuQuantity quantity) { return links[static_cast<std::size_t>(quantity)].has_value(); };
+  using enum FmuQuantity;
+  DriveKnowledge k;
+  k.motor_speed = linked(motor_speed) || linked(motor_angle);
+  k.motor_torque = linked(motor_torque) || linked(motor_impulse);
+  k.motor_power = linked(motor_power) || linked(motor_work) || (k.motor_speed && k.motor_torque);
+  k.accounts = linked(motor_work) && linked(loss_work) && linked(kinetic_energy);
+  return k;
+}
+
+/// What the slave says through its logger.
+struct FmuDrive::Messages {
+  bool muted = false;  ///< while it tries what it will do again
+  std::size_t count = 0;
+  std::vector<std::string> notes;
+  std::string last;
+
+  static void take(fmi2ComponentEnvironment environment, fmi2String, fmi2Status status, fmi2String, fmi2String message,
+                   ...) {
+    Messages& self = *static_cast<Messages*>(environment);
+    char text[1000];
+    std::va_list values;
+    va_start(values, message);
+    std::vsnprintf(text, sizeof text, message != nullptr ? message : "", values);
+    va_end(values);
+    if (!fine(status)) self.last = text;
+    if (self.muted || ++self.count > most_notes) return;
+    self.notes.emplace_back(text);
+    if (self.count == most_notes) self.notes.emplace_back("it goes on talking, but no more is kept");
+  }
+};
+
+FmuDrive::FmuDrive(FmuSetup setup)
+    : setup_(std::move(setup)), messages_(std::make_unique<Messages>()), library_(setup_.library) {
+  if (setup_.state && !library_.has_state())
+    throw BadInput("says that its state can be saved, but has no function for it");
+  if (setup_.serialisation && !library_.has_serialisation())
+    throw BadInput("says that its state can be serialised, but has no function for it");
+  callbacks_ = {&Messages::take, &std::calloc, &std::free, nullptr, messages_.get()};
+  component_ = library_.instantiate(setup_.name.c_str(), fmi2CoSimulation, setup_.guid.c_str(),
+                                    setup_.resources.c_str(), &callbacks_, fmi2False, fmi2False);
+  if (component_ == nullptr)
+    throw BadInput("cannot be instantiated" + (messages_->last.empty() ? "" : ": " + messages_->last));
+  try {
+    initialise();
+  } catch (...) {
+    if (!fatal_) library_.free_instance(component_);
+    throw;
+  }
+}
+
+FmuDrive::~FmuDrive() {
+  if (fatal_) return;  // it must not be called any more
+  messages_->muted = true;
+  if (saved_ != nullptr) library_.free_state(component_, &saved_);
+  if (initialised_) library_.terminate(component_);
+  library_.free_instance(component_);
+}
+
+void FmuDrive::initialise() {
+  check_start(library_.setup_experiment(component_, fmi2False, 0, 0, fmi2False, 0), "fmi2SetupExperiment");
+  for (const FmuStart& start : setup_.starts) set_start(start);
+  check_start(library_.enter_initialisation(component_), "fmi2EnterInitializationMode");
+  check_start(library_.exit_initialisation(component_), "fmi2ExitInitializationMode");
+  initialised_ = true;
+  try {
+    values_ = read();
+  } catch (const StoppedByGuard& failure) {
+    throw BadInput(failure.what());
+  }
+  start_.speed = now(FmuQuantity::eccentric_speed);
+  start_.direction = sign(start_.speed);
+  start_.spin = now(FmuQuantity::mantle_spin);
+  start_angle_ = now(FmuQuantity::eccentric_angle);
+}
+
+void FmuDrive::set_start(const FmuStart& start) {
+  const auto whole = static_cast<fmi2Integer>(start.value);
+  const fmi2ValueReference* reference = &start.reference;
+  const fmi2Status status = start.type == VariableType::real ? library_.set_real(component_, reference, 1, &start.value)
+                            : start.type == VariableType::integer
+                                ? library_.set_integer(component_, reference, 1, &whole)
+                                : library_.set_boolean(component_, reference, 1, &whole);
+  check_start(status, "setting a parameter");
+}
+
+std::string FmuDrive::complaint(fmi2Status status, const char* function) const {
+  return std::string(function) + " returned " + name_of(status) +
+         (messages_->last.empty() ? "" : " (\"" + messages_->last + "\")");
+}
+
+void FmuDrive::check_start(fmi2Status status, const char* function) {
+  fatal_ = fatal_ || status == fmi2Fatal;
+  if (!fine(status)) throw BadInput("cannot be started: " + complaint(status, function));
+}
+
+void FmuDrive::check(fmi2Status status, const char* function, double time) {
+  fatal_ = fatal_ || status == fmi2Fatal;
+  if (!fine(status))
+    throw StoppedByGuard("the drivetrain FMU " + setup_.name + " failed at t = " + std::to_string(time) +
+                         " s: " + complaint(status, function));
+}
+
+FmuDrive::Values FmuDrive::read() {
+  Values values{};
+  for (std::size_t k = 0; k < fmu_quantities; ++k) {
+    if (!setup_.links[k] || is_input(static_cast<FmuQuantity>(k))) continue;
+    const FmuLink& link = *setup_.links[k];
+    double value = 0;
+    const fmi2Status status = library_.get_real(component_, &link.reference, 1, &value);
+    fatal_ = fatal_ || status == fmi2Fatal;
+    if (!fine(status))
+      throw StoppedByGuard("the drivetrain FMU " + setup_.name + " failed: " + complaint(status, "fmi2GetReal"));
+    if (!std::isfinite(value))
+      throw StoppedByGuard("the drivetrain FMU " + setup_.name + " gives a value that is not finite");
+    values[k] = link.factor * value + link.offset;
+  }
+  return values;
+}
+
+void FmuDrive::step(double time, double duration, const ShaftLoad& load, bool final) {
+  const double inputs[] = {load.rock_torque, load.spin_torque, load.bearings.bushing, load.bearings.spider};
+  for (std::size_t k = 0; k < std::size(inputs); ++k) {
+    if (!setup_.links[k]) continue;
+    const FmuLink& link = *setup_.links[k];
+    const double value = (inputs[k] - link.offset) / link.factor;
+    check(library_.set_real(component_, &link.reference, 1, &value), "fmi2SetReal", time);
+  }
+  check(library_.do_step(component_, time, duration, final ? fmi2True : fmi2False), "fmi2DoStep", time);
+}
+
+ShaftTurn FmuDrive::gains(const Values& before, const Values& after, double duration) const {
+  const auto gain = [&](FmuQuantity sum) {
+    return after[static_cast<std::size_t>(sum)] - before[static_cast<std::size_t>(sum)];
+  };
+  /// Gain of an integral, or the mean of its rate at both ends.
+  const auto integral = [&](FmuQuantity sum, FmuQuantity rate) {
+    const auto k = static_cast<std::size_t>(rate);
+    return linked(sum) ? gain(sum) : duration * (before[k] + after[k]) / 2;
+  };
+  ShaftTurn turn;
+  turn.angle = integral(FmuQuantity::eccentric_angle, FmuQuantity::eccentric_speed);
+  turn.spun = integral(FmuQuantity::mantle_spin_angle, FmuQuantity::mantle_spin);
+  turn.motor_angle = integral(FmuQuantity::motor_angle, FmuQuantity::motor_speed);
+  turn.motor_impulse = integral(FmuQuantity::motor_impulse, FmuQuantity::motor_torque);
+  turn.motor_work = integral(FmuQuantity::motor_work, FmuQuantity::motor_power);
+  if (!linked(FmuQuantity::motor_work) && !linked(FmuQuantity::motor_power))
+    turn.motor_work = turn.motor_impulse * turn.motor_angle / duration;
+  turn.loss_work = gain(FmuQuantity::loss_work);
+  turn.kinetic_gain = gain(FmuQuantity::kinetic_energy);
+  turn.speed_change = gain(FmuQuantity::eccentric_speed);
+  return turn;
+}
+
+ShaftTurn FmuDrive::preview(double duration, const ShaftLoad& load, ShaftMotion& motion) {
+  if (!setup_.state) {
+    ShaftTurn turn;
+    turn.angle = duration * (motion.speed + last_acceleration_ * duration / 2);
+    turn.spun = duration * motion.spin;
+    if (motion.direction == 0) turn.angle = 0;
+    motion.time += duration;
+    return turn;
+  }
+  messages_->muted = true;
+  check(library_.get_state(component_, &saved_), "fmi2GetFMUstate", motion.time);
+  step(motion.time, duration, load, false);
+  const Values after = read();
+  check(library_.set_state(component_, saved_), "fmi2SetFMUstate", motion.time);
+  messages_->muted = false;
+  motion.speed = after[static_cast<std::size_t>(FmuQuantity::eccentric_speed)];
+  motion.spin = after[static_cast<std::size_t>(FmuQuantity::mantle_spin)];
+  motion.direction = sign(motion.speed);
+  motion.time += duration;
+  return gains(values_, after, duration);
+}
+
+ShaftTurn FmuDrive::turn(double duration, const ShaftLoad& load, ShaftMotion& motion) {
+  step(motion.time, duration, load, true);
+  const Values after = read();
+  ShaftTurn turn = gains(values_, after, duration);
+  values_ = after;
+  last_acceleration_ = turn.speed_change / duration;
+  const double before = motion.speed;
+  motion.speed = now(FmuQuantity::eccentric_speed);
+  motion.direction = sign(motion.speed);
+  motion.spin = now(FmuQuantity::mantle_spin);
+  motion.time += duration;
+  if (before > 0 && motion.speed <= 0) {
+    const bool driven = !linked(FmuQuantity::motor_torque) || now(FmuQuantity::motor_torque) > 0;
+    turn.stopped_after = duration;
+    turn.events.push_back({motion.time, driven ? DriveEventKind::stall : DriveEventKind::standstill});
+  }
+  return turn;
+}
+
+std::string FmuDrive::unsaveable() const {
+  if (setup_.serialisation) return {};
+  return "the drivetrain FMU " + setup_.name + " cannot save its state (" +
+         (setup_.state ? "canSerializeFMUstate" : "canGetAndSetFMUstate") + " is false)";
+}
+
+std::vector<std::uint8_t> FmuDrive::save() const {
+  const auto must = [](fmi2Status status) {
+    if (!fine(status)) throw StoppedByGuard("the drivetrain FMU failed to save its state");
+  };
+  must(library_.get_state(component_, &saved_));
+  std::size_t size = 0;
+  must(library_.serialised_size(component_, saved_, &size));
+  std::vector<std::uint8_t> bytes(size);
+  must(library_.serialise(component_, saved_, reinterpret_cast<fmi2Byte*>(bytes.data()), size));
+  return bytes;
+}
+
+void FmuDrive::restore(std::span<const std::uint8_t> bytes) {
+  const auto must = [&](fmi2Status status) {
+    fatal_ = fatal_ || status == fmi2Fatal;
+    if (!fine(status))
+      throw BadInput("has a state that the drivetrain FMU does not take; that of the same FMU is accepted");
+  };
+  if (saved_ != nullptr) must(library_.free_state(component_, &saved_));
+  saved_ = nullptr;
+  must(library_.deserialise(component_, reinterpret_cast<const fmi2Byte*>(bytes.data()), bytes.size(), &saved_));
+  must(library_.set_state(component_, saved_));
+  values_ = read();
+}
+
+std::vector<std::string> FmuDrive::take_notes() {
+  std::vector<std::string> notes;
+  notes.swap(messages_->notes);
+  for (std::string& note : notes) note = "FMU " + setup_.name + ": " + note;
+  return notes;
+}
+
+}  // namespace gyro

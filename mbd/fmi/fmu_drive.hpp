@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mbd/drive.hpp"
+#include "mbd/fmi/drive_variable.hpp"
+#include "mbd/fmi/fmu_library.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace gyro {
+
+/// What may pass between a drivetrain FMU and the rock, inputs first.
+enum class FmuQuantity {
+  mantle_torque,
+  spin_torque,
+  bushing_force,
+  spider_force,
+  eccentric_speed,
+  eccentric_angle,
+  mantle_spin,
+  mantle_spin_angle,
+  motor_speed,
+  motor_angle,
+  motor_torque,
+  motor_impulse,
+  motor_power,
+  motor_work,
+  loss_work,
+  kinetic_energy,
+  count
+};
+constexpr auto fmu_quantities = static_cast<std::size_t>(FmuQuantity::count);
+constexpr bool is_input(FmuQuantity quantity) {
+  return quantity < FmuQuantity::eccentric_speed;
+}
+
+/// A variable of an FMU: SI value = factor x its value + offset.
+struct FmuLink {
+  fmi2ValueReference reference = 0;
+  double factor = 1, offset = 0;
+};
+using FmuLinks = std::array<std::optional<FmuLink>, fmu_quantities>;
+
+/// What an FMU with these links can say.
+DriveKnowledge knowledge_of(const FmuLinks& links);
+
+/// A parameter that is set before the start.
+struct FmuStart {
+  fmi2ValueReference reference = 0;
+  VariableType type = VariableType::real;
+  double value = 0;
+};
+
+/// An FMU that is unpacked and whose variables are known.
+struct FmuSetup {
+  std::filesystem::path library;
+  std::string name, guid, resources;  ///< resources: URI of the folder
+  bool state = false, serialisation = false;
+  FmuLinks links{};
+  std::vector<FmuStart> starts;
+  std::shared_ptr<const void> files;  ///< keeps the unpacked files there
+};
+
+/// A drivetrain that another program has made: an FMI 2.0 co-simulation slave.
+///
+/// preview() takes a step and sets the slave back, where it can save its state; otherwise the speed's last change is
+/// carried on. Quantities that it does not give are means of speeds and torques at both ends of a window; what cannot
+/// be had so is not known (knows()). A halt of its forward motion counts as a stall unless its motor's torque is
+/// known not to be forward.
+class FmuDrive : public Drive {
+ public:
+  /// Loads and initialises it. @throws BadInput when that fails
+  explicit FmuDrive(FmuSetup setup);
+  ~FmuDrive() override;
+
+  ShaftMotion start() const override { return start_; }
+  double start_angle() const override { return start_angle_; }
+  ShaftTurn preview(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
+  ShaftTurn turn(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
+  double energy(const ShaftMotion&) const override { return now(FmuQuantity::kinetic_energy); }
+  double motor_speed(const ShaftMotion&) const override { return now(FmuQuantity::motor_speed); }
+  double motor_torque_now(const ShaftMotion&, const ShaftLoad&) const override {
+    return now(FmuQuantity::motor_torque);
+  }
+  /// That at the start, or the present one of a drive that started at rest.
+  double idle_speed() const override { return start_.speed > 0 ? start_.speed : now(FmuQuantity::eccentric_speed); }
+  DriveKnowledge knows() const override { return knowledge_of(setup_.links); }
+
+  std::string unsaveable() const override;
+  std::vector<std::uint8_t> save() const override;
+  void restore(std::span<const std::uint8_t> bytes) override;
+  std::vector<std::string> take_notes() override;
+
+ private:
+  using Values = std::array<double, fmu_quantities>;
+  struct Messages;
+
+  bool linked(FmuQuantity quantity) const { return setup_.links[static_cast<std::size_t>(quantity)].has_value(); }
+  double now(FmuQuantity quantity) const { return values_[static_cast<std::size_t>(quantity)]; }
+  void initialise();
+  void set_start(const FmuStart& start);
+  Values read();
+  void step(double time, double duration, const ShaftLoad& load, bool final);
+  ShaftTurn gains(const Values& before, const Values& after, double duration) const;
+  void check(fmi2Status status, const char* function, double time);
+  void check_start(fmi2Status status, const char* function);
+  std::string complaint(fmi2Status status, const char* function) const;
+
+  FmuSetup setup_;
+  std::unique_ptr<Messages> messages_;  ///< outlives the library
+  fmi2CallbackFunctions callbacks_{};
+  FmuLibrary library_;
+  fmi2Component component_ = nullptr;
+  bool initialised_ = false, fatal_ = false;
+  mutable fmi2FMUstate saved_ = nullptr;  ///< of the slave's making, used again and again
+  Values values_{};                       ///< at the end of the last turn
+  double last_acceleration_ = 0;          ///< over the last turn [rad/s2]
+  ShaftMotion start_;
+  double start_angle_ = 0;
+};
+
+}  // namespace gyro

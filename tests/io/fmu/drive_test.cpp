@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exported drivetrain, driven by our own master, against the built-in one.
+#include "core/base/errors.hpp"
+#include "io/fmu/drive_fmu.hpp"
+#include "io/fmu/export.hpp"
+#include "mbd/drivetrain.hpp"
+#include "mbd/shaft.hpp"
+#include "tests/catch.hpp"
+#include "tests/io/output/scratch.hpp"
+#include "tests/mbd/machines.hpp"
+
+#include <cmath>
+
+namespace {
+
+using namespace gyro;
+using Catch::Matchers::Contains;
+
+/// Everything a drive can have: two cages, spin, bearings, spring, supply that sags, relays that act.
+DrivetrainParameters full_machine() {
+  DrivetrainParameters p = crusher_62_75(nema_motor(NemaDesign::c, 450e3, 600 * rpm));
+  p.losses = {60e3, 0.02, 300};
+  p.gear_efficiency = 0.97;
+  p.start_angle = 0.3;
+  p.mantle_inertia = 3000;
+  p.bearings = {{0.005, 0.7, 2e5}, {0.005, 0.4, 2e5}, {0.01, 0.3, 1e5}, 3.1, 0.005};
+  p.spring = {2e6, 2000};
+  p.voltage = {{0, 0.2, 0.5}, {1, 0.8, 0.9}};
+  p.protection = {.overload_time = 3, .instantaneous_ratio = 2.2, .brake_torque = 4e3, .restart_delay = 0.1};
+  return p;
+}
+
+std::vector<DrivetrainParameters> machines() {
+  DrivetrainParameters from_rest = crusher_62_75(induction_450kw()), curve = from_rest, constant = from_rest;
+  from_rest.start = DrivetrainStart::rest;
+  curve.motor = CurveMotor{{0, 400 * rpm, 580 * rpm, 600 * rpm}, {9e3, 1.2e4, 9e3, 0}};
+  constant.motor = ConstantSpeedMotor{600 * rpm};
+  return {crusher_62_75(paper_droop()), from_rest, curve, constant, full_machine()};
+}
+
+/// An exported machine, connected by the names of its variables.
+DriveFmu exported(const DrivetrainParameters& parameters, const std::filesystem::path& file) {
+  export_drive({.drive = parameters, .title = "A <machine> & \"more\"", .tool = "test", .library = GYRO_DRIVETRAIN_FMU},
+               file);
+  const ModelDescription model = read_fmu(file);
+  DriveFmu fmu{file,        model.model_name,    "", model.guid, model.identifier, model.variable_step,
+               model.state, model.serialisation, {}, {}};
+  for (std::size_t k = 0; k < fmu_quantities; ++k) {
+    const std::string name(info_of(static_cast<FmuQuantity>(k)).name);
+    if (model.find(name)) fmu.links[k] = link_to(model, static_cast<FmuQuantity>(k), name);
+  }
+  return fmu;
+}
+
+/// Rock that grips and lets go, and crawls against the drive now and then.
+MantleLoad load_at(double time, const MantlePath& path, double length) {
+  MantleLoad load;
+  load.resisting_torque = 2e4 * (1 + std::sin(60 * time)) + (std::fmod(time, 0.4) > 0.35 ? 1.2e5 : 0);
+  load.spin_torque = 300 * std::cos(40 * time);
+  load.bearings = {3e6 * (1 + std::sin(60 * time)), 1e6};
+  load.work = load.resisting_torque * path.speed * length - load.spin_torque * path.spin * length;
+  return load;
+}
+
+/// A second of coupled windows; calls f(built_in, fmu) after each.
+template <class F>
+void run_both(Drivetrain& built_in, Drivetrain& fmu, std::int64_t first, std::int64_t last, F&& f) {
+  for (std::int64_t k = first; k < last; ++k) {
+    const Window window = window_number(k, 0.5e-3, 10);
+    for (Drivetrain* d : {&built_in, &fmu}) {
+      const MantlePath path = d->predict(window);
+      d->advance(window, load_at(window.begin(), path, window.length()));
+    }
+    f(built_in, fmu);
+  }
+}
+
+void check_equal(const Drivetrain& a, const Drivetrain& b) {
+  const DrivetrainState &s = a.state(), &t = b.state();
+  constexpr double close = 1e-11;  // the FMU gives sums, whose differences have their rounding
+  REQUIRE(t.speed == Approx(s.speed).epsilon(close).margin(close));
+  REQUIRE(t.angle == Approx(s.angle).epsilon(close).margin(close));
+  REQUIRE(t.wall_angle == Approx(s.wall_angle).epsilon(close).margin(close));
+  REQUIRE(t.spin == Approx(s.spin).epsilon(close).margin(close));
+  REQUIRE(t.spin_angle == Approx(s.spin_angle).epsilon(close).margin(close));
+  REQUIRE(b.means().motor_speed == Approx(a.means().motor_speed).epsilon(1e-9).margin(1e-9));
+  REQUIRE(b.means().motor_torque == Approx(a.means().motor_torque).epsilon(1e-9).margin(1e-6));
+  REQUIRE(b.means().motor_power == Approx(a.means().motor_power).epsilon(1e-9).margin(1e-4));
+  REQUIRE(b.means().loss_power == Approx(a.means().loss_power).epsilon(1e-9).margin(1e-4));
+  REQUIRE(b.kinetic_energy() == Approx(a.kinetic_energy()).epsilon(1e-10).margin(1e-6));
+}
+
+}  // namespace
+
+TEST_CASE("Parameters of every machine survive the way through text with all bits") {
+  for (const DrivetrainParameters& machine : machines()) {
+    const std::string text = drive_text(machine);
+    const DrivetrainParameters back = drive_from_text(text);
+    CHECK(drive_text(back) == text);
+    CHECK(back.motor.index() == machine.motor.index());
+    CHECK(motor_torque(back.motor, 55.5) == motor_torque(machine.motor, 55.5));
+  }
+  CHECK_THROWS_WITH(drive_from_text("nonsense"), Contains("do not begin with"));
+  std::string text = drive_text(machines()[0]);
+  CHECK_THROWS_WITH(drive_from_text(text.replace(text.find("gear_ratio"), 10, "gear_ratia")), Contains("gear_ratia"));
+}
+
+TEST_CASE("The exported FMU in the loop is the built-in drivetrain over a second, whatever the machine") {
+  const ScratchDirectory place;
+  int number = 0;
+  for (const DrivetrainParameters& machine : machines()) {
+    INFO("machine " << number++);
+    const DriveFmu fmu = exported(machine, place.path() / "drive.fmu");
+    Drivetrain built_in(machine), foreign(open_drive(fmu), 0);
+    if (machine.start == DrivetrainStart::running) CHECK(foreign.idle_speed() == Approx(built_in.idle_speed()));
+    check_equal(built_in, foreign);
+    run_both(built_in, foreign, 0, 2000, check_equal);
+    CHECK(built_in.unsaveable().empty());
+    CHECK(foreign.unsaveable().empty());
+    for (const std::string& note : foreign.take_notes()) INFO(note);
+  }
+}
+
+TEST_CASE("Relays of an exported machine act and are told of") {
+  const ScratchDirectory place;
+  Drivetrain built_in(full_machine()), foreign(open_drive(exported(full_machine(), place.path() / "drive.fmu")), 0);
+  run_both(built_in, foreign, 0, 2000, [](const Drivetrain&, const Drivetrain&) {});
+  REQUIRE(!built_in.events().empty());
+  const std::vector<std::string> notes = foreign.take_notes();
+  REQUIRE(notes.size() == static_cast<std::size_t>(built_in.state().events));
+  CHECK_THAT(notes.front(), Contains("FMU drive.fmu: " + to_string(built_in.events().front().kind)));
+}
+
+TEST_CASE("An FMU goes on from its saved state in a new instance with the same bits") {
+  const ScratchDirectory place;
+  const DriveFmu fmu = exported(full_machine(), place.path() / "drive.fmu");
+  Drivetrain whole(open_drive(fmu), 0), first(open_drive(fmu), 0), second(open_drive(fmu), 0);
+  run_both(whole, first, 0, 700, [](const Drivetrain&, const Drivetrain&) {});
+  second.restore(first.state(), first.drive_state());
+  run_both(whole, second, 700, 1500, [](const Drivetrain& a, const Drivetrain& b) {
+    REQUIRE(a.state().speed == b.state().speed);
+    REQUIRE(a.state().angle == b.state().angle);
+    REQUIRE(a.means().motor_power == b.means().motor_power);
+  });
+  CHECK(whole.drive_state() == second.drive_state());
+  const std::vector<std::uint8_t> nonsense(40, 7);
+  CHECK_THROWS_AS(second.restore(first.state(), nonsense), BadInput);
+}
+
+TEST_CASE("A foreign master changes a parameter of an exported machine, and nonsense is refused") {
+  const ScratchDirectory place;
+  const auto file = place.path() / "drive.fmu";
+  DrivetrainParameters heavier = full_machine();
+  DriveFmu fmu = exported(heavier, file);
+  const ModelDescription model = read_fmu(file);
+  heavier.eccentric_inertia = 9000;
+  std::get<DoubleCageMotor>(heavier.motor).rated_power = 400e3;
+  complete_motor(heavier.motor);
+  fmu.starts = {start_of(model, "inertia.eccentric", 9000), start_of(model, "motor.rated_power", 400e3)};
+  Drivetrain built_in(heavier), foreign(open_drive(fmu), 0);
+  run_both(built_in, foreign, 0, 300, check_equal);
+  fmu.starts = {start_of(model, "gear_ratio", -1)};
+  CHECK_THROWS_WITH(open_drive(fmu), Contains("gear_ratio is not > 0") && Contains("drive.fmu"));
+}
+
+TEST_CASE("An FMU refuses another GUID, and the same case gives the same file") {
+  const ScratchDirectory place;
+  DriveFmu fmu = exported(machines()[0], place.path() / "a.fmu");
+  const DriveFmu again = exported(machines()[0], place.path() / "b.fmu"),
+                 other = exported(machines()[1], place.path() / "c.fmu");
+  CHECK(fmu.guid == again.guid);
+  CHECK(fmu.guid != other.guid);
+  CHECK(fmu.model_name == "A <machine> & \"more\"");
+  fmu.guid = other.guid;
+  CHECK_THROWS_WITH(open_drive(fmu), Contains("cannot be instantiated") && Contains("GUID"));
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A drivetrain of another program in the loop: no saved state, sums left out, units of its own, failures.
+#include "tests/io/fmu/foreign.hpp"
+#include "core/base/errors.hpp"
+#include "io/fmu/drive_fmu.hpp"
+#include "mbd/drivetrain.hpp"
+#include "tests/catch.hpp"
+#include "tests/io/output/scratch.hpp"
+#include "tests/mbd/machines.hpp"
+
+#include <cmath>
+
+namespace {
+
+using namespace gyro;
+using Catch::Matchers::Contains;
+
+DriveFmu foreign(const std::filesystem::path& file) {
+  write_foreign_fmu(file);
+  const ModelDescription model = read_fmu(file);
+  DriveFmu fmu{file, model.model_name, "", model.guid, model.identifier, model.variable_step, false, false, {}, {}};
+  const auto connect = [&](FmuQuantity quantity, const char* name) {
+    fmu.links[static_cast<std::size_t>(quantity)] = link_to(model, quantity, name);
+  };
+  connect(FmuQuantity::mantle_torque, "T_load");
+  connect(FmuQuantity::eccentric_speed, "shaft.w");
+  connect(FmuQuantity::motor_torque, "tau");
+  return fmu;
+}
+
+/// The built-in machine with the same equation.
+DrivetrainParameters same_machine() {
+  return {.motor = DroopMotor{452.5 * rpm, 23.4375}, .gear_ratio = 1, .eccentric_inertia = 0.174};
+}
+
+double rock(double, double angle) {
+  return 6 * (1 + std::sin(7 * angle));
+}
+
+}  // namespace
+
+TEST_CASE("A foreign drivetrain without saved state follows the built-in one with the same equation") {
+  const ScratchDirectory place;
+  Drivetrain built_in(same_machine()), other(open_drive(foreign(place.path() / "foreign.fmu")), 0.02);
+  CHECK(other.state().speed == Approx(452.5 * rpm).epsilon(1e-14));
+  double slowest = 1e9;
+  for (int k = 0; k < 2000; ++k) {
+    const Window window = window_number(k, 0.5e-3);
+    exchange(built_in, window, rock);
+    exchange(other, window, rock);
+    REQUIRE(other.state().speed == Approx(built_in.state().speed).epsilon(1e-4));  // Euler's error at 50 us
+    // It leads with its last acceleration, of which it has none in the first window.
+    if (k > 0) REQUIRE(std::abs(other.state().wall_angle - other.state().angle) < 2e-6);
+    slowest = std::min(slowest, other.state().speed);
+  }
+  CHECK(slowest < 400 * rpm);
+  CHECK(other.state().angle == Approx(built_in.state().angle).epsilon(1e-4));
+  CHECK(std::isnan(other.means().power_residual));  // it does not say what it takes
+  CHECK(other.window_divisor() == 1);
+  CHECK(other.knows().motor_torque);
+  CHECK(!other.knows().motor_power);
+  CHECK_THAT(other.unsaveable(), Contains("cannot save its state") && Contains("canGetAndSetFMUstate is false"));
+}
+
+TEST_CASE("A foreign drivetrain that is stopped by the rock has stalled") {
+  const ScratchDirectory place;
+  Drivetrain drive(open_drive(foreign(place.path() / "foreign.fmu")), 0);
+  for (int k = 0; k < 4000 && !drive.stalled(); ++k)
+    exchange(drive, window_number(k, 0.5e-3), [](double, double) { return 60.0; });
+  REQUIRE(drive.stalled());
+  CHECK(drive.events().front().kind == DriveEventKind::stall);
+  // J dw/dt = 23.4375 (1 - w / w0) - 60 comes to rest after J w0 / 23.4375 ln(60 / 36.5625)
+  CHECK(*drive.stall_time() == Approx(0.174 * 452.5 * rpm / 23.4375 * std::log(60 / 36.5625)).margin(1e-3));
+}
+
+TEST_CASE("What goes wrong in a foreign drivetrain stops the run with its own words") {
+  const ScratchDirectory place;
+  DriveFmu fmu = foreign(place.path() / "foreign.fmu");
+  const ModelDescription model = read_fmu(fmu.file);
+  const auto run = [&] {
+    Drivetrain drive(open_drive(fmu), 0);
+    for (int k = 0; k < 100; ++k) exchange(drive, window_number(k, 0.5e-3), rock);
+  };
+  CHECK_NOTHROW(run());
+  fmu.starts = {start_of(model, "fail_at", 0.01)};
+  CHECK_THROWS_WITH(run(), Contains("foreign.fmu failed at t = 0.01") && Contains("fmi2DoStep returned fmi2Error") &&
+                               Contains("the motor is on fire"));
+  CHECK_THROWS_AS(run(), StoppedByGuard);
+  fmu.starts = {start_of(model, "blind_at", 0.01)};
+  CHECK_THROWS_WITH(run(), Contains("not finite"));
+  CHECK_THROWS_AS(run(), StoppedByGuard);
+  fmu.guid = "another";
+  CHECK_THROWS_WITH(run(), Contains("cannot be instantiated: the GUID is another"));
+  CHECK_THROWS_AS(run(), BadInput);
+}
