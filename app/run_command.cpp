@@ -260,6 +260,11 @@ class Run {
     if (!(row.mass > 0)) return;
     s.specific_energy_kwh_per_t = output_.crushing_work() / 3.6e6 / (row.mass / 1000);
     s.p80 = row.p80;
+    s.p50 = row.p50;
+    s.product_below_css = passing_at(row.passing, input_.crusher->closed_side_setting);
+    s.product_below_oss = passing_at(row.passing, open_side_setting(*input_.crusher));
+    s.singles_share = row.singles_share;
+    if (input_.bonds && !assembly_.library.rocks.empty()) s.swell_of_crumbled = swell_of_crumbled(assembly_.library);
   }
 
   const RunArguments& arguments_;

@@ -56,6 +56,24 @@ std::string probe_name(std::uint32_t id, const std::string& quantity) {
   return "probe_" + std::to_string(id) + "_" + quantity;
 }
 
+/// What is told of a sieve curve beside the curve. Shares below the settings are read between two sieves.
+std::vector<Channel> curve_channels() {
+  return {{"mass", "kg"}, {"fragments", "1"}, {"singles_share", "1"}, {"p80", "m"},
+          {"p50", "m"},   {"below_css", "1"}, {"below_oss", "1"}};
+}
+
+std::vector<double> curve_figures(const ProductRow& row, const CaseCrusher& crusher) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto below = [&](double size) { return row.mass > 0 ? passing_at(row.passing, size) : none; };
+  return {row.mass,
+          static_cast<double>(row.fragments),
+          row.singles_share,
+          row.p80.value_or(none),
+          row.p50.value_or(none),
+          below(crusher.closed_side_setting),
+          below(open_side_setting(crusher))};
+}
+
 PosedWall posed(const WallPicture& picture, const WallPose& pose) {
   PosedWall out{picture.mesh, picture.wall};
   for (Vec3d& v : out.mesh.vertices) v = to_world(pose, v);
@@ -131,6 +149,7 @@ ResultsContent RunOutput::content(const CaseRecord& record) const {
   content.breakage = has_bonds_;
   if (has_product_) content.product_sizes = sieve_series();
   content.liners = maps_.content();
+  if (has_product_) content.curve_figures = curve_channels();
   return content;
 }
 
@@ -243,11 +262,17 @@ void RunOutput::write_row(Simulation& simulation) {
       std::vector<double>{now["time"], now["wall_seconds"], static_cast<double>(counts.particle_steps),
                           static_cast<double>(counts.bond_steps), static_cast<double>(counts.rebuilds)});
   results_.append_breakages(has_bonds_ ? simulation.dem().take_breakages() : std::vector<Breakage>{});
-  if (simulation.product())
-    results_.append_product(simulation.time(), simulation.product()->row(simulation.time()).passing);
+  if (simulation.product()) write_curves(simulation);
   sums_.clear();
   summed_time_ = 0;
   ++rows_;
+}
+
+void RunOutput::write_curves(const Simulation& simulation) {
+  const ProductRow product = simulation.product()->row(simulation.time());
+  const ProductRow held = simulation.hold_up()->row(simulation.time());
+  results_.append_product(product.time, product.passing, curve_figures(product, *input_.crusher));
+  results_.append_holdup(held.time, held.passing, curve_figures(held, *input_.crusher));
 }
 
 void RunOutput::write_ledger(const Simulation& simulation) {

@@ -51,6 +51,7 @@ class RunOutput {
   void add_probes(const Simulation& simulation, Row& now) const;
   void add_means(const WindowResult& result, const Simulation& simulation);
   void write_row(Simulation& simulation);
+  void write_curves(const Simulation& simulation);
   void write_ledger(const Simulation& simulation);
   void write_snapshot(const Simulation& simulation);
   bool due(double interval, std::int64_t written, double time) const;

@@ -68,7 +68,9 @@ void Simulation::make_parts() {
   if (assembly_.feed)
     blaming("feed",
             [&] { feed_.emplace(assembly_.library, *assembly_.feed, assembly_.scene.walls, bond_strength(input_)); });
-  if (input_.crusher) product_.emplace(rock_density(assembly_));
+  if (!input_.crusher) return;
+  product_.emplace(rock_density(assembly_));
+  hold_up_.emplace(rock_density(assembly_));
 }
 
 /// Steps of the next window: fewer than the case asks while the exchange with the drive is too coarse, but whole holds.
@@ -155,6 +157,7 @@ void Simulation::inspect() {
   fragments_ = static_cast<std::int64_t>(table.size());
   if (!product_) return;
   product_->update(table, particles);
+  hold_up_->update(table, particles, *product_);
   const std::vector<ParticleId> gone = product_->removable(table, particles, assembly_.removal_depth);
   if (gone.empty()) return;
   for (std::size_t n = 0; n < particles.size(); ++n)
@@ -198,6 +201,7 @@ SavedState Simulation::save() const {
   if (input_.drivetrain_fmu) s.put("drivetrain/fmu", drivetrain_->drive_state());
   if (feed_) s.put_fields("feed", feed_->state());
   if (product_) s.put_fields("product", product_->state());
+  if (hold_up_) s.put_fields("hold_up", hold_up_->state());
   ledger_.save(s);
   momentum_.save(s);
   return s;
@@ -222,6 +226,7 @@ void Simulation::restore(const SavedState& s) {
   if (drivetrain_) drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain/state"), fmu);
   if (feed_) feed_->restore(s.get_fields<Feed::State>("feed"));
   if (product_) product_.emplace(rock_density(assembly_), s.get_fields<Product::State>("product"));
+  if (hold_up_) hold_up_.emplace(rock_density(assembly_), s.get_fields<HoldUp::State>("hold_up"));
   ledger_.restore(s);
   momentum_.restore(s);
 }

@@ -5,7 +5,7 @@
 #include "app/ledger.hpp"
 #include "app/momentum_balance.hpp"
 #include "core/feed/feed.hpp"
-#include "core/fragments/product.hpp"
+#include "core/fragments/hold_up.hpp"
 #include "mbd/drivetrain.hpp"
 
 #include <memory>
@@ -53,6 +53,8 @@ class Simulation {
   const std::optional<Drivetrain>& drivetrain() const { return drivetrain_; }
   const std::optional<Feed>& feed() const { return feed_; }
   const std::optional<Product>& product() const { return product_; }
+  /// What the chamber held at the last inspection.
+  const std::optional<HoldUp>& hold_up() const { return hold_up_; }
   FeedAccount fed() const;
   double start_mass() const { return start_mass_; }  ///< of the case's `particles` [kg]
   double holdup() const;                             ///< mass between feed and discharge [kg]
@@ -86,6 +88,7 @@ class Simulation {
   std::optional<Drivetrain> drivetrain_;
   std::optional<Feed> feed_;
   std::optional<Product> product_;
+  std::optional<HoldUp> hold_up_;
   Ledger ledger_;
   MomentumBalance momentum_;
   std::optional<std::string> verdict_;

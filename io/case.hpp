@@ -107,6 +107,11 @@ struct CaseCrusher {
   std::optional<double> removal_depth;  ///< below the discharge plane [m]; none: chosen by the program
 };
 
+/// Largest gap at the discharge plane over one gyration: OSS - CSS = throw = 2 x eccentricity [m].
+inline double open_side_setting(const CaseCrusher& crusher) {
+  return crusher.closed_side_setting + 2 * crusher.eccentricity;
+}
+
 /// `drivetrain` with an FMU.
 struct CaseFmu : DriveFmu {
   double bushing_depth = 0;   ///< below the pivot; 0: it takes no forces of bearings [m]

@@ -81,8 +81,9 @@ std::vector<std::pair<std::string, std::vector<Channel>>> tables_of(const Result
       {"/series", content.series}, {"/ledger", content.ledger}, {"/performance", content.performance}};
   if (content.breakage) tables.emplace_back("/breakage", breakage_channels());
   if (!content.product_sizes.empty()) {
-    const int sieves = static_cast<int>(content.product_sizes.size());
-    tables.push_back({"/product", {{"time", "s"}, {"passing", "1", sieves}}});
+    std::vector<Channel> curve{{"time", "s"}, {"passing", "1", static_cast<int>(content.product_sizes.size())}};
+    curve.insert(curve.end(), content.curve_figures.begin(), content.curve_figures.end());
+    for (const char* group : {"/product", "/holdup"}) tables.emplace_back(group, curve);
   }
   for (const LinerMap& liner : content.liners) {
     const std::string group = "/liners/" + liner.wall;
@@ -194,8 +195,10 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent
     if (!channels.empty()) tables_.emplace(group, ResultsTable(*file_, group, channels));
   }
   if (!content.product_sizes.empty()) {
-    file_->write_numbers("/product/sizes", content.product_sizes);
-    file_->dataset("/product/sizes").set_attribute("units", "m");
+    for (const std::string group : {"/product", "/holdup"}) {
+      file_->write_numbers(group + "/sizes", content.product_sizes);
+      file_->dataset(group + "/sizes").set_attribute("units", "m");
+    }
   }
   for (const LinerMap& liner : content.liners) write_grid(*file_, "/liners/" + liner.wall, liner);
   file_->start_appending();
@@ -255,10 +258,18 @@ void ResultsFile::append_breakages(std::span<const Breakage> breakages) {
   }
 }
 
-void ResultsFile::append_product(double time, std::span<const double> passing) {
-  std::vector<double> row{time};
-  row.insert(row.end(), passing.begin(), passing.end());
-  append("/product", row);
+void ResultsFile::append_curve(const std::string& group, std::initializer_list<std::span<const double>> parts) {
+  std::vector<double> row;
+  for (const auto& part : parts) row.insert(row.end(), part.begin(), part.end());
+  append(group, row);
+}
+
+void ResultsFile::append_product(double time, std::span<const double> passing, std::span<const double> figures) {
+  append_curve("/product", {{&time, 1}, passing, figures});
+}
+
+void ResultsFile::append_holdup(double time, std::span<const double> passing, std::span<const double> figures) {
+  append_curve("/holdup", {{&time, 1}, passing, figures});
 }
 
 void ResultsFile::append_liner(const std::string& wall, double time, std::span<const double> pressure,

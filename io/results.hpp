@@ -73,13 +73,14 @@ struct ResultsContent {
   std::vector<Channel> series, ledger, performance;  ///< put `time` first
   bool breakage = false;                             ///< the scene has bonds
   std::vector<double> product_sizes;                 ///< sieve openings, ascending [m]; empty: no product
+  std::vector<Channel> curve_figures;                ///< of each curve of /product and /holdup, beside time and passing
   std::vector<LinerMap> liners;
 };
 
 /// How far the tables of results.h5 have come: rows by group, as {"/series", 120}.
 using ResultsRows = std::map<std::string, std::int64_t>;
 
-/// results.h5 of a run: /case, /series, /ledger, /performance, /breakage, /product, /liners. Rows are
+/// results.h5 of a run: /case, /series, /ledger, /performance, /breakage, /product, /holdup, /liners. Rows are
 /// written about every 5 s of wall clock and when the file closes. Readable while it grows and after
 /// the process was killed; then the datasets of a group may differ by the last few rows.
 /// @throws OutputError on any failure to write
@@ -99,8 +100,11 @@ class ResultsFile {
   void append_performance(std::span<const double> row);
   /// Datasets time, mode (1 tension, 2 shear), position (n x 3), rock, i, j (particle ids), energy.
   void append_breakages(std::span<const Breakage> breakages);
-  /// Cumulative passing at `time`, one fraction of the product's mass a sieve: datasets time, passing (n x sieves).
-  void append_product(double time, std::span<const double> passing);
+  /// Cumulative passing at `time`, one fraction of the product's mass a sieve: datasets time, passing (n x sieves),
+  /// and the figures that the content names.
+  void append_product(double time, std::span<const double> passing, std::span<const double> figures = {});
+  /// The same of what the chamber holds.
+  void append_holdup(double time, std::span<const double> passing, std::span<const double> figures = {});
   /// Maps of one liner at `time`, one value a cell: datasets time, pressure [Pa], work [J].
   void append_liner(const std::string& wall, double time, std::span<const double> pressure,
                     std::span<const double> work);
@@ -118,6 +122,7 @@ class ResultsFile {
 
  private:
   void append(const std::string& group, std::span<const double> row);
+  void append_curve(const std::string& group, std::initializer_list<std::span<const double>> parts);
   void abandon();
 
   std::filesystem::path path_;

@@ -50,6 +50,11 @@ struct Summary {
   std::optional<double> throughput_tph = {};                   ///< discharged mass / simulated time [t/h]
   std::optional<double> specific_energy_kwh_per_t = {};        ///< crushing energy / discharged mass
   std::optional<double> p80 = {};                              ///< sieve size that 80 % of the product passes [m]
+  std::optional<double> p50 = {};                              ///< sieve size that 50 % pass [m]
+  std::optional<double> product_below_css = {};                ///< mass share of the product [-]
+  std::optional<double> product_below_oss = {};                ///< mass share of the product [-]
+  std::optional<double> singles_share = {};                    ///< mass share of single particles in the product [-]
+  std::optional<double> swell_of_crumbled = {};                ///< loose volume of crumbled / volume of solid rock [-]
   std::optional<double> mean_crushing_power = {};              ///< [W]
   std::optional<double> energy_residual_fraction = {};         ///< residual / work done by walls and gravity
   std::optional<double> momentum_residual_fraction = {};       ///< residual / impulses of walls and gravity

@@ -28,6 +28,12 @@ std::string product_lines(const Summary& s) {
   if (s.discharged_mass) text += line("discharged", format("%.4g t", *s.discharged_mass / 1e3));
   if (s.throughput_tph) text += line("throughput", format("%.4g t/h", *s.throughput_tph));
   if (s.p80) text += line("product P80", format("%.4g mm", *s.p80 * 1e3));
+  if (s.product_below_oss && s.product_below_css)
+    text += line(
+        "", format("%.3g %% below OSS, %.3g %% below CSS", 100 * *s.product_below_oss, 100 * *s.product_below_css));
+  if (s.singles_share && s.swell_of_crumbled)
+    text += line("single particles", format("%.3g %% of the product; crumbled rock swells %.2f-fold, real rock 1.7",
+                                            100 * *s.singles_share, *s.swell_of_crumbled));
   if (s.mean_crushing_power) text += line("crushing power", format("%.4g kW, mean", *s.mean_crushing_power / 1e3));
   if (s.specific_energy_kwh_per_t) text += line("specific energy", format("%.4g kWh/t", *s.specific_energy_kwh_per_t));
   if (s.steady)

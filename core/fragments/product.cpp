@@ -2,41 +2,8 @@
 #include "core/fragments/product.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gyro {
-namespace {
-
-constexpr int finest = -14, coarsest = 6;
-
-std::vector<double> make_series() {
-  std::vector<double> sizes;
-  for (int k = finest; k <= coarsest; ++k) sizes.push_back(0.125 * std::exp2(0.5 * k));
-  return sizes;
-}
-
-/// The finest sieve that lets this size through; the number of sieves when none does.
-std::size_t sieve_of(double size) {
-  const std::vector<double>& sieves = sieve_series();
-  return static_cast<std::size_t>(std::lower_bound(sieves.begin(), sieves.end(), size) - sieves.begin());
-}
-
-}  // namespace
-
-const std::vector<double>& sieve_series() {
-  static const std::vector<double> sizes = make_series();
-  return sizes;
-}
-
-std::optional<double> passing_size(const std::vector<double>& passing, double share) {
-  const std::vector<double>& sieves = sieve_series();
-  const auto above = std::lower_bound(passing.begin(), passing.end(), share);
-  if (above == passing.begin() || above == passing.end()) return std::nullopt;
-  const auto k = static_cast<std::size_t>(above - passing.begin());
-  const double part = (share - passing[k - 1]) / (passing[k] - passing[k - 1]);
-  return sieves[k - 1] * std::pow(sieves[k] / sieves[k - 1], part);
-}
-
 Product::Product(double rock_density) : rock_density_(rock_density) {
   state_.sieve_mass.assign(sieve_series().size() + 1, 0.0);
 }
@@ -89,23 +56,7 @@ std::int64_t Product::inside(const ParticleSnapshot& particles) const {
 }
 
 ProductRow Product::row(double time) const {
-  ProductRow row;
-  row.time = time;
-  row.mass = state_.mass;
-  row.particles = state_.particles;
-  row.fragments = state_.fragments;
-  row.passing.assign(sieve_series().size(), 0.0);
-  if (state_.fragments == 0) return row;
-  row.singles_share = state_.singles_mass / state_.mass;
-  double total = 0, finer = 0;
-  for (const double m : state_.sieve_mass) total += m;
-  for (std::size_t k = 0; k < row.passing.size(); ++k) {
-    finer += state_.sieve_mass[k];
-    row.passing[k] = finer / total;
-  }
-  row.p80 = passing_size(row.passing, 0.8);
-  row.p50 = passing_size(row.passing, 0.5);
-  return row;
+  return SieveTally{state_.sieve_mass, state_.particles, state_.fragments, state_.mass, state_.singles_mass}.row(time);
 }
 
 }  // namespace gyro

@@ -2,31 +2,12 @@
 #pragma once
 
 #include "core/fragments/fragment_table.hpp"
+#include "core/fragments/sieve_curve.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace gyro {
-
-/// Sieves from 1 mm to 1 m, each sqrt(2) times the one before: 125 mm x 2^(k/2), k = -14 ... 6 [m].
-const std::vector<double>& sieve_series();
-
-/// What had been discharged by a time.
-struct ProductRow {
-  double time = 0;                 ///< [s]
-  double mass = 0;                 ///< [kg]
-  std::int64_t particles = 0;      ///< exact
-  std::int64_t fragments = 0;      ///< as they were when they passed the discharge plane
-  double singles_share = 0;        ///< mass of single particles / mass [-]; 0 without product
-  std::vector<double> passing;     ///< mass share finer than each sieve of the series [-]; zeros without product
-  std::optional<double> p80, p50;  ///< sizes that 80 % and 50 % of the mass pass [m]; none without product
-};
-
-/// Size that a share of the mass passes: passing is linear in log(size) between two sieves.
-/// None when the share lies below the finest or above the coarsest sieve.
-/// @param passing  [sieve_series()], not decreasing
-std::optional<double> passing_size(const std::vector<double>& passing, double share);
 
 /// The product account. A fragment is discharged when all of it is below z = 0; it is then
 /// counted once, as it is, and never again, even if it bounces back or breaks further.

@@ -5,6 +5,7 @@
 
 #include <sys/wait.h>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -68,9 +69,15 @@ std::vector<std::string> results_in(const fs::path& run, const std::string& grou
 
 std::vector<std::pair<std::string, std::vector<double>>> all_results(const fs::path& run) {
   std::vector<std::pair<std::string, std::vector<double>>> found;
-  for (const std::string group : {"series", "ledger", "breakage", "product"})
-    for (const std::string& name : results_in(run, group))
-      if (name != "wall_seconds") found.emplace_back(group + "/" + name, result_of(run, group + "/" + name));
+  for (const std::string group : {"series", "ledger", "breakage", "product", "holdup"})
+    for (const std::string& name : results_in(run, group)) {
+      if (name == "wall_seconds") continue;
+      std::vector<double> values = result_of(run, group + "/" + name);
+      // "None" is NaN in the file; here it must be equal to itself.
+      std::replace_if(
+          values.begin(), values.end(), [](double v) { return std::isnan(v); }, -1e300);
+      found.emplace_back(group + "/" + name, std::move(values));
+    }
   return found;
 }
 

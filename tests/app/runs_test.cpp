@@ -84,6 +84,18 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
   const double fed = summary["feed_mass"], discharged = summary["discharged_mass"];
   CHECK(result_of(run, "series/holdup_mass").back() == Approx(fed - discharged));
   CHECK(summary["throughput_tph"].get<double>() == Approx(discharged / 0.06 * 3.6));
+  CHECK(result_of(run, "product/mass").back() == discharged);
+  CHECK(result_of(run, "holdup/mass").back() == Approx(fed - discharged));
+  CHECK(result_of(run, "holdup/fragments").back() + result_of(run, "product/fragments").back() ==
+        result_of(run, "series/fragments").back());
+  CHECK(result_of(run, "holdup/p80").front() > result_of(run, "holdup/p80").back());
+  for (const std::string curve : {"product", "holdup"})
+    CHECK(result_of(run, curve + "/below_oss").back() >= result_of(run, curve + "/below_css").back());
+  for (const char* name : {"p80", "p50", "singles_share"})
+    CHECK(summary[name].get<double>() == result_of(run, std::string("product/") + name).back());
+  CHECK(summary["product_below_css"] == result_of(run, "product/below_css").back());
+  CHECK(summary["product_below_oss"] == result_of(run, "product/below_oss").back());
+  CHECK(summary["swell_of_crumbled"] > 1);
   const std::vector<double> power = result_of(run, "series/crushing_power");
   CHECK(summary["mean_crushing_power"].get<double>() ==
         Approx(std::accumulate(power.begin(), power.end(), 0.0) / 120).epsilon(1e-9));
@@ -99,13 +111,13 @@ TEST_CASE("A scene without bonds, feed, crusher and drive has none of their outp
   CHECK(results_in(run, "series") == std::vector<std::string>{"max_overlap_ratio", "particles", "time",
                                                               "wall_force_back", "wall_force_floor", "wall_force_front",
                                                               "wall_force_left", "wall_force_right", "wall_seconds"});
-  for (const std::string group : {"breakage", "product", "liners"}) CHECK(results_in(run, group).empty());
+  for (const std::string group : {"breakage", "product", "holdup", "liners"}) CHECK(results_in(run, group).empty());
   const json summary = summary_of(run);
   CHECK(summary["particles"] == 300);
   CHECK(summary["bonds_initial"] == 0);
   CHECK(summary["bond_steps"] == 0);
-  for (const char* name :
-       {"feed_mass", "discharged_mass", "throughput_tph", "specific_energy_kwh_per_t", "p80", "mean_crushing_power"})
+  for (const char* name : {"feed_mass", "discharged_mass", "throughput_tph", "specific_energy_kwh_per_t", "p80", "p50",
+                           "singles_share", "mean_crushing_power"})
     CHECK(summary[name].is_null());
   CHECK(summary["mass_residual_fraction"] == 0);
   CHECK(!fs::exists(run / "bonds.pvd"));

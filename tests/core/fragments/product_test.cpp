@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/fragments/product.hpp"
-
+#include "core/fragments/hold_up.hpp"
 #include "snapshots.hpp"
 #include "tests/catch.hpp"
 
@@ -105,4 +104,63 @@ TEST_CASE("A product account goes on from its state", "[product]") {
   CHECK(second.row(1).passing == whole.row(1).passing);
   CHECK(second.row(1).particles == 55);
   CHECK(!Product(rock_density).row(0).p80);
+}
+
+TEST_CASE("Shares below a size undo sizes of a share", "[product]") {
+  std::vector<double> passing(sieve_series().size(), 1.0);
+  for (std::size_t k = 0; k < passing.size(); ++k)
+    passing[k] = static_cast<double>(k) / (static_cast<double>(passing.size()) - 1);
+  for (const double share : {0.13, 0.5, 0.8})
+    CHECK(passing_at(passing, *passing_size(passing, share)) == Approx(share).epsilon(1e-12));
+  CHECK(passing_at(passing, 1e-6) == 0);
+  CHECK(passing_at(passing, 10) == 1);
+  CHECK(passing_at(passing, sieve_series()[3]) == Approx(passing[3]).epsilon(1e-12));
+}
+
+TEST_CASE("The hold-up is what has not been discharged, with the sizes of a fresh analysis", "[product]") {
+  ParticleSnapshot p;
+  add_fragment(p, block(2, 3, 5, 0.01), 0.01, rock_density, {0, 0, 0.5});
+  add_fragment(p, block(1, 1, 3, 0.01), 0.01, rock_density, {1, 0, 0.5});
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {2, 0, 0.5});
+  Product product(rock_density);
+  HoldUp hold_up(rock_density);
+  const auto check = [&](std::int64_t fragments, std::int64_t particles) {
+    const FragmentTable table = fragment_table(p);
+    product.update(table, p);
+    HoldUp forgetful(rock_density);
+    forgetful.update(table, p, product);
+    hold_up = HoldUp(rock_density, hold_up.state());  // as after a checkpoint
+    hold_up.update(table, p, product);
+    const ProductRow held = hold_up.row(1), out = product.row(1);
+    CHECK(held.passing == forgetful.row(1).passing);
+    CHECK(held.fragments == fragments);
+    CHECK(held.particles == particles);
+    CHECK(held.particles + out.particles == static_cast<std::int64_t>(p.size()));
+    CHECK(held.mass + out.mass == Approx(std::accumulate(p.mass.begin(), p.mass.end(), 0.0)));
+  };
+  check(3, 34);
+  CHECK(hold_up.row(1).singles_share == Approx(1.0 / 34));
+  CHECK(hold_up.state().first == std::vector<ParticleId>{0, 30});
+  CHECK(hold_up.state().size[0] == Approx(0.06).epsilon(2e-3));
+  for (Index k = 20; k < 30; ++k) p.fragment[static_cast<std::size_t>(k)] = 20;  // the block of 30 breaks
+  check(4, 34);
+  CHECK(hold_up.state().particles == std::vector<Index>{20, 10, 3});
+  for (std::size_t k = 30; k < 33; ++k) p.position[k].z -= 1;  // the three are discharged
+  check(3, 31);
+  for (Vec3d& x : p.position) x.z -= 2;
+  check(0, 0);
+  CHECK(hold_up.row(1).mass == 0);
+  CHECK_FALSE(hold_up.row(1).p80);
+}
+
+TEST_CASE("A fragment that has been measured is not measured again", "[product]") {
+  ParticleSnapshot p;
+  add_fragment(p, block(2, 3, 5, 0.01), 0.01, rock_density, {0, 0, 0.5});
+  HoldUp::State known{{0}, {30}, {0.5}, {}};  // a wrong size, on purpose
+  HoldUp hold_up(rock_density, known);
+  hold_up.update(fragment_table(p), p, Product(rock_density));
+  CHECK(hold_up.state().size == std::vector<double>{0.5});
+  p.fragment[29] = 29;
+  hold_up.update(fragment_table(p), p, Product(rock_density));
+  CHECK(hold_up.state().size[0] == Approx(0.06).epsilon(0.05));
 }

@@ -26,6 +26,7 @@ ResultsContent full_content() {
   content.performance = {{"wall_seconds", "s"}};
   content.breakage = true;
   content.product_sizes = {0.01, 0.02, 0.04};
+  content.curve_figures = {{"mass", "kg"}, {"p80", "m"}};
   content.liners = {{"mantle", 5000}};
   return content;
 }
@@ -92,8 +93,9 @@ TEST_CASE("Breakages, product and liner maps read back as they were written") {
   {
     ResultsFile results(path, full_content());
     results.append_breakages(breakages);
-    results.append_product(1.0, std::vector{0.1, 0.4, 1.0});
-    results.append_product(2.0, std::vector{0.2, 0.5, 1.0});
+    results.append_product(1.0, std::vector{0.1, 0.4, 1.0}, std::vector{7.0, 0.03});
+    results.append_product(2.0, std::vector{0.2, 0.5, 1.0}, std::vector{8.0, 0.02});
+    results.append_holdup(2.0, std::vector{0.0, 0.1, 1.0}, std::vector{9.0, 0.05});
     results.append_liner("mantle", 1.0, pressure, work);
     results.close();
   }
@@ -109,6 +111,9 @@ TEST_CASE("Breakages, product and liner maps read back as they were written") {
   CHECK(file.dataset("/product/time").read() == std::vector{1.0, 2.0});
   CHECK(file.dataset("/product/passing").columns() == 3);
   CHECK(file.dataset("/product/passing").read() == std::vector{0.1, 0.4, 1.0, 0.2, 0.5, 1.0});
+  CHECK(file.dataset("/product/p80").read() == std::vector{0.03, 0.02});
+  CHECK(file.dataset("/holdup/mass").read() == std::vector{9.0});
+  CHECK(file.dataset("/holdup/passing").read() == std::vector{0.0, 0.1, 1.0});
   CHECK(file.dataset("/liners/mantle/pressure").read() == pressure);
   CHECK(file.dataset("/liners/mantle/work").read() == work);
 }
@@ -210,8 +215,8 @@ TEST_CASE("Results that go on behind the rows kept read as if never interrupted"
   const int keep = GENERATE(0, 1, 700, 2499, 2500);
   write_run(whole, 2500);
   write_run(path, 2500);  // has gone on past its checkpoint
-  const ResultsRows rows{{"/series", keep}, {"/ledger", keep}, {"/performance", 0},
-                         {"/breakage", 0},  {"/product", 0},   {"/liners/mantle", 0}};
+  const ResultsRows rows{{"/series", keep}, {"/ledger", keep}, {"/performance", 0},  {"/breakage", 0},
+                         {"/product", 0},   {"/holdup", 0},    {"/liners/mantle", 0}};
   {
     ResultsFile results(path, full_content(), rows);
     CHECK(results.rows() == rows);

@@ -18,10 +18,28 @@ TEST_CASE("The summary holds every fixed field, null where it is not defined") {
   summary.p80 = 0.1;
   summary.throughput_tph = std::nan("");
   const auto json = nlohmann::json::parse(to_json(summary));
-  for (const char* name :
-       {"status", "simulated_seconds", "wall_seconds", "particle_steps", "bond_steps", "time_step", "time_step_limit",
-        "throughput_tph", "specific_energy_kwh_per_t", "p80", "bonds_initial", "bonds_broken",
-        "energy_residual_fraction", "momentum_residual_fraction", "mass_residual_fraction", "stalled", "precision"}) {
+  for (const char* name : {"status",
+                           "simulated_seconds",
+                           "wall_seconds",
+                           "particle_steps",
+                           "bond_steps",
+                           "time_step",
+                           "time_step_limit",
+                           "throughput_tph",
+                           "specific_energy_kwh_per_t",
+                           "p80",
+                           "p50",
+                           "product_below_css",
+                           "product_below_oss",
+                           "singles_share",
+                           "swell_of_crumbled",
+                           "bonds_initial",
+                           "bonds_broken",
+                           "energy_residual_fraction",
+                           "momentum_residual_fraction",
+                           "mass_residual_fraction",
+                           "stalled",
+                           "precision"}) {
     CAPTURE(name);
     CHECK(json.contains(name));
   }
@@ -64,11 +82,17 @@ TEST_CASE("The text shows what the run has and fits a screen") {
   summary.bonds_initial = 2000;
   summary.bonds_broken = 500;
   summary.p80 = 0.142;
+  summary.product_below_css = 0.41;
+  summary.product_below_oss = 0.87;
+  summary.singles_share = 0.125;
+  summary.swell_of_crumbled = 1.07;
   summary.throughput_tph = 3420;
   summary.energy_residual_fraction = 1e-4;
   const std::string full = to_text(summary, "out");
   CHECK_THAT(full, Contains("500 of 2000 broken (25 %)"));
   CHECK_THAT(full, Contains("142 mm"));
+  CHECK_THAT(full, Contains("87 % below OSS, 41 % below CSS"));
+  CHECK_THAT(full, Contains("12.5 % of the product; crumbled rock swells 1.07-fold"));
   CHECK_THAT(full, Contains("3420 t/h"));
   CHECK(std::count(full.begin(), full.end(), '\n') <= 20);
 }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/fragments/hold_up.hpp"
+
+#include "core/fragments/sieve_size.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace gyro {
+namespace {
+
+/// A fragment of several particles that is in the chamber.
+struct Held {
+  ParticleId first;
+  std::size_t row;  ///< of the table
+};
+
+std::vector<Held> held_fragments(const FragmentTable& table, const ParticleSnapshot& particles,
+                                 const Product& product) {
+  std::vector<Held> held;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const ParticleId first = particles.id[static_cast<std::size_t>(table.rows[k].first_particle)];
+    if (table.rows[k].particles > 1 && !product.is_discharged(first)) held.push_back({first, k});
+  }
+  std::sort(held.begin(), held.end(), [](const Held& a, const Held& b) { return a.first < b.first; });
+  return held;
+}
+
+std::optional<double> known_size(const HoldUp::State& known, ParticleId first, Index particles) {
+  const auto found = std::lower_bound(known.first.begin(), known.first.end(), first);
+  if (found == known.first.end() || *found != first) return std::nullopt;
+  const auto k = static_cast<std::size_t>(found - known.first.begin());
+  return known.particles[k] == particles ? std::optional(known.size[k]) : std::nullopt;
+}
+
+}  // namespace
+
+HoldUp::HoldUp(double rock_density, State state) : rock_density_(rock_density), state_(std::move(state)) {}
+
+void HoldUp::update(const FragmentTable& table, const ParticleSnapshot& particles, const Product& product) {
+  State now;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const Fragment& f = table.rows[k];
+    const ParticleId first = particles.id[static_cast<std::size_t>(f.first_particle)];
+    if (f.particles == 1 && !product.is_discharged(first))
+      now.tally.add(equal_mass_diameter(f.mass, rock_density_), f.mass, 1);
+  }
+  for (const auto& [first, row] : held_fragments(table, particles, product)) {
+    const Fragment& f = table.rows[row];
+    const std::optional<double> known = known_size(state_, first, f.particles);
+    now.first.push_back(first);
+    now.particles.push_back(f.particles);
+    now.size.push_back(known ? *known : sieve_size(table, row, particles, rock_density_));
+    now.tally.add(now.size.back(), f.mass, f.particles);
+  }
+  state_ = std::move(now);
+}
+
+}  // namespace gyro
