@@ -3,6 +3,7 @@
 #include "app/checkpoint.hpp"
 #include "app/commands.hpp"
 #include "app/device.hpp"
+#include "app/laboratory.hpp"
 #include "app/run_output.hpp"
 #include "app/simulation.hpp"
 #include "app/stop_request.hpp"
@@ -223,6 +224,7 @@ class Run {
       s.stalled = drive->stalled();
       for (const DriveEvent& event : drive->events()) s.drive_events.push_back({event.time, to_string(event.kind)});
     }
+    if (input_.laboratory) s.laboratory = write_laboratory(input_, assembly_, directory_.path);
     s.max_overlap_ratio = simulation_.ledger().worst_overlap();
     if (*s.max_overlap_ratio > hertz_overlap) warn_of_overlap(*s.max_overlap_ratio);
     write_summary(s, directory_.path);

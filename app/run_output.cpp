@@ -127,9 +127,11 @@ std::vector<Channel> RunOutput::series_channels() const {
     c.push_back({"throughput", "kg/s"});
   }
   c.push_back({"particles", "1"});
-  if (has_bonds_)
+  if (has_bonds_) {
     for (const char* name : {"bonds_intact", "bonds_broken_tension", "bonds_broken_shear", "fragments"})
       c.push_back({name, "1"});
+    c.push_back({"largest_fragment", "kg"});
+  }
   for (const std::uint32_t id : input_.output.probes) {
     c.push_back({probe_name(id, "position"), "m", 3});
     c.push_back({probe_name(id, "velocity"), "m/s", 3});
@@ -240,6 +242,7 @@ void RunOutput::write_row(Simulation& simulation) {
   now["bonds_broken_tension"] = static_cast<double>(counts.broken_tension);
   now["bonds_broken_shear"] = static_cast<double>(counts.broken_shear);
   now["fragments"] = static_cast<double>(simulation.fragments());
+  now["largest_fragment"] = simulation.largest_fragment();
   now["max_overlap_ratio"] = simulation.ledger().extremes().overlap_ratio;
   now["wall_seconds"] = wall_seconds();
 

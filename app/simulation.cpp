@@ -155,6 +155,8 @@ void Simulation::inspect() {
   const ParticleSnapshot particles = dem_->particles();
   const FragmentTable table = fragment_table(particles);
   fragments_ = static_cast<std::int64_t>(table.size());
+  largest_fragment_ = 0;
+  for (const Fragment& f : table.rows) largest_fragment_ = std::max(largest_fragment_, f.mass);
   if (!product_) return;
   product_->update(table, particles);
   hold_up_->update(table, particles, *product_);
@@ -196,7 +198,7 @@ SavedState Simulation::save() const {
   s.put_one("simulation/time_step", assembly_.scene.dt);
   s.put_one("simulation/step", step_);
   s.put("simulation/counts", std::vector<std::int64_t>{particles_put_in_, bonds_put_in_, fragments_});
-  s.put("simulation/mass", std::vector<double>{start_mass_, mass_inside_});
+  s.put("simulation/mass", std::vector<double>{start_mass_, mass_inside_, largest_fragment_});
   if (drivetrain_) s.put_one("drivetrain/state", drivetrain_->state());
   if (input_.drivetrain_fmu) s.put("drivetrain/fmu", drivetrain_->drive_state());
   if (feed_) s.put_fields("feed", feed_->state());
@@ -218,9 +220,10 @@ void Simulation::restore(const SavedState& s) {
   particles_put_in_ = counts[0];
   bonds_put_in_ = counts[1];
   fragments_ = counts[2];
-  const auto mass = s.get<double>("simulation/mass", 2);
+  const auto mass = s.get<double>("simulation/mass", 3);
   start_mass_ = mass[0];
   mass_inside_ = mass[1];
+  largest_fragment_ = mass[2];
   std::vector<std::uint8_t> fmu;
   if (input_.drivetrain_fmu) fmu = s.get<std::uint8_t>("drivetrain/fmu");
   if (drivetrain_) drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain/state"), fmu);

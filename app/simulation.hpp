@@ -68,6 +68,7 @@ class Simulation {
   }
   MassCount mass_count() const;
   std::int64_t fragments() const { return fragments_; }
+  double largest_fragment() const { return largest_fragment_; }  ///< mass of the heaviest [kg]
   std::int64_t bonds_initial() const { return bonds_put_in_; }
   /// What must be kept to go on bit for bit, between windows of a sound run.
   SavedState save() const;
@@ -94,7 +95,7 @@ class Simulation {
   std::optional<std::string> verdict_;
   std::int64_t step_ = 0;
   std::int64_t particles_put_in_ = 0, bonds_put_in_ = 0, fragments_ = 0;
-  double start_mass_ = 0, mass_inside_ = 0;  ///< [kg]
+  double start_mass_ = 0, mass_inside_ = 0, largest_fragment_ = 0;  ///< [kg]
 };
 
 }  // namespace gyro

@@ -126,6 +126,13 @@ struct CaseNumerics {
   int substeps = 1;
 };
 
+/// `laboratory`: what a run measures on one rock between two platens.
+struct CaseLaboratory {
+  enum class Test { platen, uniaxial };
+  Test test = Test::platen;
+  Index fixed = none, moving = none;  ///< planes, in Case::walls
+};
+
 /// A row of `particles.file`.
 struct StartParticle {
   std::uint32_t id;
@@ -183,6 +190,7 @@ struct Case {
   Vec3d gravity{0, 0, -9.81};             ///< [m/s2]
   CaseNumerics numerics;
   std::optional<CaseParticles> particles;
+  std::optional<CaseLaboratory> laboratory;
   CaseOutput output;
   std::string resolved;  ///< see resolved_yaml()
   std::string inputs;    ///< one line a file that it names: digest of the content, path

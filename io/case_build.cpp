@@ -169,6 +169,13 @@ CaseParticles particles_of(const Setting& section, const CaseTables& tables) {
   return particles;
 }
 
+CaseLaboratory laboratory_of(const Setting& section, const std::vector<CaseWall>& walls) {
+  using Test = CaseLaboratory::Test;
+  const std::string& test = section.text("test");
+  return {test == "platen" ? Test::platen : Test::uniaxial, index_of(walls, section.text("fixed")),
+          index_of(walls, section.text("moving"))};
+}
+
 CaseOutput output_of(const Setting& section) {
   const std::vector<std::string>& formats = section.find("formats")->texts;
   const auto has = [&](std::string_view format) {
@@ -213,6 +220,7 @@ Case build_case(const Setting& root, const CaseTables& tables) {
   made.numerics = {root.text("numerics.precision") == "double" ? Precision::real64 : Precision::mixed,
                    static_cast<int>(root.number("numerics.substeps"))};
   if (const Setting* particles = root.find("particles")) made.particles = particles_of(*particles, tables);
+  if (const Setting* laboratory = root.find("laboratory")) made.laboratory = laboratory_of(*laboratory, made.walls);
   made.output = output_of(*root.find("output"));
   return made;
 }

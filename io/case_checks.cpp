@@ -239,6 +239,27 @@ void check_rocks(const Setting& root, CaseProblems& log) {
     log.add(range->mark, "the mean of strength_scatter is not inside the range; a range around it is accepted");
 }
 
+/// One bonded rock, two planes, one of which moves straight on, and a cylinder where the test needs one.
+void check_laboratory(const Setting& root, CaseProblems& log) {
+  const Setting* laboratory = root.find("laboratory");
+  if (laboratory == nullptr) return;
+  if (root.find("crusher") != nullptr)
+    log.add(laboratory->mark, "laboratory measures one rock, not a crusher; leave out one of the two sections");
+  if (root.find("bonds") == nullptr)
+    log.add(laboratory->mark, "laboratory measures when bonds break; the section bonds is accepted with it");
+  for (const char* key : {"fixed", "moving"}) {
+    const Setting* name = laboratory->find(key);
+    if (name == nullptr || !expect_name(root.find("walls"), name->texts[0], "wall", name->mark, log)) continue;
+    const Setting& wall = *root.find("walls")->find(name->texts[0]);
+    if (wall.find("plane") == nullptr) log.add(name->mark, "a platen is a plane; a wall with plane is accepted");
+    if (std::string_view(key) == "moving" && wall.find("motion.linear") == nullptr)
+      log.add(name->mark, "the moving platen does not move; a wall with motion: {linear: ...} is accepted");
+  }
+  const Setting* test = laboratory->find("test");
+  if (test != nullptr && test->texts[0] == "uniaxial" && root.find("rocks.shapes.cylinder") == nullptr)
+    log.add(test->mark, "a uniaxial test needs a cylinder; rocks.shapes.cylinder is accepted");
+}
+
 void check_run(const Setting& root, CaseProblems& log) {
   const Setting* step = root.find("time.step");
   const Setting* interval = root.find("coupling.interval");
@@ -257,6 +278,7 @@ void check_settings(const Setting& root, CaseProblems& log) {
   check_machine(root, log);
   check_feed(root, log);
   check_rocks(root, log);
+  check_laboratory(root, log);
   check_run(root, log);
 }
 

@@ -331,6 +331,13 @@ const std::vector<Key> run_keys = {
      .doc = "CSV with the header id,x,y,z,r[,vx,vy,vz][,wx,wy,wz][,rock], SI (w: spin in rad/s); their density is that of materials.rock."},
     {.path = "particles.bonds", .type = file, .doc = "CSV with the header i,j[,length0]; i and j are ids."},
 
+    {.path = "laboratory",
+     .doc = "Measures a rock that two planes press together: strength and stiffness in the summary, the curve in force_displacement.csv."},
+    {.path = "laboratory.test", .type = word, .required = true, .words = "platen|uniaxial",
+     .doc = "platen: any rock, strength 0.9 F/d^2; uniaxial: a cylinder along its axis, F/A, with a modulus."},
+    {.path = "laboratory.fixed", .type = text, .required = true, .doc = "Plane, a name of walls, that the rock is pressed against."},
+    {.path = "laboratory.moving", .type = text, .required = true, .doc = "Plane with motion: linear, whose force is measured."},
+
     {.path = "output", .defaulted = true, .doc = "What is written, and how often."},
     {.path = "output.series", .type = quantity, .dimension = Dimension::time, .fallback = "1 ms", .range = positive,
      .doc = "Simulated time between rows of /series."},

@@ -32,6 +32,18 @@ Json steady_json(const std::optional<SteadyFigures>& s) {
           {"residence_time", number(s->residence_time)}};
 }
 
+Json laboratory_json(const std::optional<LaboratoryFigures>& l) {
+  if (!l) return nullptr;
+  return {{"test", l->test},
+          {"size", number(l->size)},
+          {"first_break_force", number(l->first_break_force)},
+          {"failure_force", number(l->failure_force)},
+          {"failure_displacement", number(l->failure_displacement)},
+          {"strength", number(l->strength)},
+          {"stiffness", number(l->stiffness)},
+          {"modulus", number(l->modulus)}};
+}
+
 }  // namespace
 
 std::string to_string(RunStatus status) {
@@ -88,6 +100,7 @@ std::string to_json(const Summary& s) {
                      {"choked", s.choked ? Json(*s.choked) : Json(nullptr)},
                      {"holdup_mass", number(s.holdup_mass)},
                      {"steady", steady_json(s.steady)},
+                     {"laboratory", laboratory_json(s.laboratory)},
                      {"drive_events", events}};
   // A title may hold bytes that are no UTF-8; they must not cost the summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

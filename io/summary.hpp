@@ -33,6 +33,18 @@ struct SteadyFigures {
   std::optional<double> residence_time;  ///< hold-up / throughput [s]
 };
 
+/// What a test of one rock in a laboratory case came to.
+struct LaboratoryFigures {
+  std::string test;                                 ///< platen, uniaxial
+  double size = 0;                                  ///< distance of the platens at first contact [m]
+  std::optional<double> first_break_force = {};     ///< on the moving platen when the first bond broke [N]
+  std::optional<double> failure_force = {};         ///< largest force until failure [N]; none: held to the end
+  std::optional<double> failure_displacement = {};  ///< of the platens since first contact [m]
+  std::optional<double> strength = {};              ///< [Pa]
+  std::optional<double> stiffness = {};             ///< secant between 20 and 60 % of the failure force [N/m]
+  std::optional<double> modulus = {};               ///< uniaxial: stiffness x length / area [Pa]
+};
+
 /// What a run came to. A quantity that the case does not define, or that is not finite, is null in JSON.
 struct Summary {
   RunStatus status = RunStatus::failed;
@@ -61,9 +73,10 @@ struct Summary {
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
   bool stalled = false;
-  std::optional<bool> choked = {};                ///< more rock waits for room than one gyration feeds
-  std::optional<double> holdup_mass = {};         ///< at the end [kg]
-  std::optional<SteadyFigures> steady = {};       ///< none: the run was too short to be steady
+  std::optional<bool> choked = {};           ///< more rock waits for room than one gyration feeds
+  std::optional<double> holdup_mass = {};    ///< at the end [kg]
+  std::optional<SteadyFigures> steady = {};  ///< none: the run was too short to be steady
+  std::optional<LaboratoryFigures> laboratory = {};
   std::vector<DriveHappening> drive_events = {};  ///< in order; empty without a drivetrain
 };
 

@@ -47,6 +47,17 @@ std::string product_lines(const Summary& s) {
   return text;
 }
 
+std::string laboratory_lines(const LaboratoryFigures& l) {
+  std::string text = line("test", l.test + format(", %.4g mm between the platens at first contact", l.size * 1e3));
+  if (l.first_break_force) text += line("first bond broke", format("at %.4g N", *l.first_break_force));
+  if (!l.failure_force || !l.failure_displacement) return text + line("failure", "none until the end");
+  text += line("failure", format("at %.4g N, %.3g mm", *l.failure_force, *l.failure_displacement * 1e3));
+  if (l.strength) text += line("strength", format("%.4g MPa", *l.strength / 1e6));
+  if (l.stiffness) text += line("stiffness", format("%.4g MN/m", *l.stiffness / 1e6));
+  if (l.modulus) text += line("modulus", format("%.4g GPa", *l.modulus / 1e9));
+  return text;
+}
+
 std::string balance_lines(const Summary& s) {
   std::string text;
   if (s.energy_residual_fraction)
@@ -69,6 +80,7 @@ std::string to_text(const Summary& s, const std::filesystem::path& directory) {
   if (!s.reason.empty()) text += " (" + s.reason + ")";
   text += format(", %.6g s simulated in ", s.simulated_seconds) + format_duration(s.wall_seconds) + "\n";
   text += product_lines(s);
+  if (s.laboratory) text += laboratory_lines(*s.laboratory);
   text += line("particles", std::to_string(s.particles) + " at the end" +
                                 speed(static_cast<double>(s.particle_steps), s.wall_seconds, "particle-steps"));
   if (s.bonds_initial > 0) {

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/laboratory.hpp"
+
+#include "io/hdf5.hpp"
+#include "io/replace_file.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+
+namespace gyro {
+namespace {
+
+using Test = CaseLaboratory::Test;
+
+constexpr double fallen = 0.7;           // of the largest force: a cylinder has failed
+constexpr double split = 2.0 / 3;        // of the mass: a rock whose largest fragment is smaller has split
+constexpr double contact_share = 0.005;  // of the failure force: the platen has met the rock
+constexpr double secant_from = 0.2, secant_to = 0.6;
+
+std::string name_of(Test test) {
+  return test == Test::platen ? "platen" : "uniaxial";
+}
+
+struct Peak {
+  std::size_t row = 0;  ///< of the failure force
+  bool failed = false;
+};
+
+bool cracked(const Compression& c, std::size_t row) {
+  return c.first_break_time && *c.first_break_time <= c.time[row];
+}
+
+/// The largest force before the rock has split.
+Peak peak_of_lump(const Compression& c) {
+  Peak peak;
+  for (std::size_t k = 0; k < c.force.size() && !peak.failed; ++k) {
+    if (c.force[k] > c.force[peak.row]) peak.row = k;
+    peak.failed = cracked(c, k) && c.largest_fragment[k] < split * c.largest_fragment[0];
+  }
+  return peak;
+}
+
+/// The largest force of all, if the force has fallen from there.
+Peak peak_of_cylinder(const Compression& c) {
+  Peak peak{static_cast<std::size_t>(std::max_element(c.force.begin(), c.force.end()) - c.force.begin()), false};
+  for (std::size_t k = peak.row; k < c.force.size() && !peak.failed; ++k)
+    peak.failed = cracked(c, k) && c.force[k] < fallen * c.force[peak.row];
+  return peak;
+}
+
+/// The row in which the first bond breaks.
+std::optional<std::size_t> first_break(const Compression& c) {
+  if (!c.first_break_time) return std::nullopt;
+  const auto row = std::lower_bound(c.time.begin(), c.time.end(), *c.first_break_time) - c.time.begin();
+  return std::min(static_cast<std::size_t>(row), c.time.size() - 1);
+}
+
+/// First row from which on the platen keeps pressing until something breaks.
+std::size_t first_contact(const Compression& c, std::size_t peak) {
+  std::size_t row = std::min(peak, first_break(c).value_or(peak));
+  while (row > 0 && c.force[row - 1] > contact_share * c.force[peak]) --row;
+  return row;
+}
+
+/// Displacement at which the curve first reaches a force, linear between points.
+double displacement_at(const std::vector<CurvePoint>& curve, double force) {
+  for (std::size_t k = 1; k < curve.size(); ++k) {
+    const CurvePoint &a = curve[k - 1], &b = curve[k];
+    if (b.force < force) continue;
+    return b.force > a.force
+               ? a.displacement + (force - a.force) / (b.force - a.force) * (b.displacement - a.displacement)
+               : b.displacement;
+  }
+  return curve.back().displacement;
+}
+
+double strength_of(const Compression& c, double force, double size) {
+  if (c.test == Test::uniaxial) return 4 * force / (std::numbers::pi * c.diameter * c.diameter);
+  return 0.9 * force / (size * size);
+}
+
+/// Figures that need a failure at this force.
+void add_failure(LaboratoryFigures& f, const Compression& c, const std::vector<CurvePoint>& curve, double force) {
+  f.failure_force = force;
+  f.failure_displacement = displacement_at(curve, force);
+  f.strength = strength_of(c, force, f.size);
+  const double from = displacement_at(curve, secant_from * force), to = displacement_at(curve, secant_to * force);
+  if (!(to > from)) return;
+  f.stiffness = (secant_to - secant_from) * force / (to - from);
+  if (c.test == Test::uniaxial) f.modulus = *f.stiffness * c.length * 4 / (std::numbers::pi * c.diameter * c.diameter);
+}
+
+const PlaneShape& plane_of(const Assembly& assembly, Index wall) {
+  return std::get<PlaneShape>(assembly.scene.walls[static_cast<std::size_t>(wall)].shape);
+}
+
+Vec3d velocity_of(const Assembly& assembly, Index wall) {
+  const auto* linear = std::get_if<LinearMotion>(&assembly.scene.walls[static_cast<std::size_t>(wall)].motion);
+  return linear ? linear->velocity : Vec3d{0, 0, 0};
+}
+
+}  // namespace
+
+LaboratoryReport evaluate(const Compression& c) {
+  LaboratoryReport report;
+  LaboratoryFigures& f = report.figures;
+  f.test = name_of(c.test);
+  f.size = c.gap;
+  if (c.force.empty()) return report;
+  const Peak peak = c.test == Test::uniaxial ? peak_of_cylinder(c) : peak_of_lump(c);
+  const double largest = c.force[peak.row];
+  if (!(largest > 0)) return report;  // they never met
+  const std::size_t contact = first_contact(c, peak.row);
+  f.size = c.gap - c.closing_speed * c.time[contact];
+  for (std::size_t k = contact; k < c.force.size(); ++k)
+    report.curve.push_back({c.closing_speed * (c.time[k] - c.time[contact]), c.force[k]});
+  if (const auto row = first_break(c)) f.first_break_force = c.force[*row];
+  if (peak.failed) add_failure(f, c, report.curve, largest);
+  return report;
+}
+
+Compression measured_compression(const Case& input, const Assembly& assembly, const std::filesystem::path& results) {
+  const CaseLaboratory& laboratory = *input.laboratory;
+  const PlaneShape &fixed = plane_of(assembly, laboratory.fixed), &moving = plane_of(assembly, laboratory.moving);
+  Compression c;
+  c.test = laboratory.test;
+  c.gap = dot(fixed.point - moving.point, moving.normal);
+  c.closing_speed =
+      dot(velocity_of(assembly, laboratory.moving) - velocity_of(assembly, laboratory.fixed), moving.normal);
+  if (const auto* cylinder = input.rocks ? std::get_if<CylinderSpecimen>(&input.rocks->shapes) : nullptr) {
+    c.diameter = cylinder_diameter(*cylinder, assembly.library.rocks.front().diameter);
+    c.length = cylinder->slenderness * c.diameter;
+  }
+  const hdf5::File file = hdf5::File::open(results);
+  c.time = file.dataset("/series/time").read();
+  c.largest_fragment = file.dataset("/series/largest_fragment").read();
+  const std::vector<double> forces =
+      file.dataset("/series/wall_force_" + input.walls[static_cast<std::size_t>(laboratory.moving)].name).read();
+  for (std::size_t k = 0; k < c.time.size(); ++k)
+    c.force.push_back(-dot(Vec3d{forces[3 * k], forces[3 * k + 1], forces[3 * k + 2]}, moving.normal));
+  const std::vector<double> breaks = file.dataset("/breakage/time").read();
+  if (!breaks.empty()) c.first_break_time = breaks.front();
+  return c;
+}
+
+LaboratoryFigures write_laboratory(const Case& input, const Assembly& assembly,
+                                   const std::filesystem::path& directory) {
+  const LaboratoryReport report = evaluate(measured_compression(input, assembly, directory / "results.h5"));
+  std::string csv = "displacement_m,force_N\n";
+  char row[64];
+  for (const CurvePoint& p : report.curve) {
+    std::snprintf(row, sizeof row, "%.6e,%.6e\n", p.displacement, p.force);
+    csv += row;
+  }
+  replace_file(directory / "force_displacement.csv", csv);
+  return report.figures;
+}
+
+}  // namespace gyro

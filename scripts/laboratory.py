@@ -1,0 +1,202 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How hard is my ore: laboratory cases over several seeds, and bond parameters fitted to laboratory values.
+
+Usage:
+  laboratory.py measure CASE... [--seeds N] [--jobs N] [--set KEY=VALUE]...
+  laboratory.py fit [--ucs MPA] [--lump MPA] [--modulus GPA] [--seeds N] [--rounds N] [--set KEY=VALUE]...
+
+`measure` runs each case with seeds 1 to N and prints every figure of the test with mean and standard deviation.
+
+`fit` looks for bond strengths and stiffnesses with which the laboratory cases give the wanted values: --ucs and --modulus
+from cases/laboratory/uniaxial.yaml, --lump (0.9 F/d^2 of an irregular lump) from platen.yaml.
+
+In a slow test without gravity nothing but ratios of stresses counts: when strengths, stiffnesses and the contact modulus
+are all multiplied by y, so are all measured stresses. Hence a single number is sought, the factor x on both bond strengths
+of the case at its own stiffness, so that measured strength/modulus has the wanted ratio; then all stresses are multiplied
+by y = wanted/measured modulus. So rock as stiff as granite is fitted at the cost of the soft rock of the case. Without
+--modulus, y is 1 and x makes the strength itself right.
+
+The search is a fixed point in logarithms: x <- x (wanted/measured)^(1/p), p = d log(measured)/d log(x), first taken as 1,
+then from the last two rounds, within 0.3 to 3. Where several strengths are wanted, their mean logarithm is fitted and what
+remains of each is printed: bonded spheres have a ratio of compressive to tensile strength of their own.
+
+Needs nothing beside Python 3 and build/release/gyrosim; --gyrosim names another one.
+"""
+import argparse
+import json
+import math
+import statistics
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+CASES = ROOT / "cases" / "laboratory"
+FIGURES = [("first_break_force", "first break", "N", 1), ("failure_force", "failure", "N", 1),
+           ("failure_displacement", "at", "mm", 1e3), ("strength", "strength", "MPa", 1e-6),
+           ("stiffness", "stiffness", "MN/m", 1e-6), ("modulus", "modulus", "GPa", 1e-9)]
+STRENGTHS = ("bonds.tensile_strength", "bonds.shear_strength")
+STIFFNESSES = ("bonds.normal_stiffness", "bonds.shear_stiffness", "bonds.modulus", "materials.rock.shear_modulus")
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description="Laboratory tests of bonded rock.")
+    parser.add_argument("--gyrosim", type=Path, default=ROOT / "build" / "release" / "gyrosim")
+    commands = parser.add_subparsers(dest="command", required=True)
+    measure = commands.add_parser("measure", help="figures of laboratory cases over seeds")
+    measure.add_argument("cases", type=Path, nargs="+", metavar="CASE")
+    fit = commands.add_parser("fit", help="bond parameters from laboratory values")
+    fit.add_argument("--ucs", type=float, help="uniaxial compressive strength [MPa]")
+    fit.add_argument("--lump", type=float, help="strength of irregular lumps, 0.9 F/d^2 [MPa]")
+    fit.add_argument("--modulus", type=float, help="modulus of the uniaxial test [GPa]")
+    fit.add_argument("--rounds", type=int, default=5, help="most rounds of the search")
+    fit.add_argument("--tolerance", type=float, default=0.05, help="relative, where the search ends")
+    for command, seeds in ((measure, 5), (fit, 2)):
+        command.add_argument("--seeds", type=int, default=seeds)
+        command.add_argument("--jobs", type=int, default=2, help="runs at the same time, each on one thread")
+        command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="as for gyrosim run")
+    return parser.parse_args()
+
+
+def run(arguments, case, seed, settings):
+    """The laboratory part of summary.json of one run."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "run"
+        command = [str(arguments.gyrosim), "run", str(case), "--out", str(out), "--quiet", "--threads", "1",
+                   "--set", f"case.seed={seed}", "--set", "output.snapshots=0"]
+        for setting in settings:
+            command += ["--set", setting]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"laboratory.py: {' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
+        figures = json.loads((out / "summary.json").read_text())["laboratory"]
+    if figures is None:
+        sys.exit(f"laboratory.py: {case} has no section `laboratory`; cases/laboratory has some")
+    return figures
+
+
+def measure(arguments, cases, settings):
+    """Figures of each case for all seeds."""
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        runs = {case: [pool.submit(run, arguments, case, seed, settings) for seed in range(1, arguments.seeds + 1)]
+                for case in cases}
+        return {case: [r.result() for r in of_case] for case, of_case in runs.items()}
+
+
+def spread(runs, name):
+    """Values of a figure, without the runs that have none."""
+    return [r[name] for r in runs if r[name] is not None]
+
+
+def print_figures(case, runs):
+    print(f"{case}: {runs[0]['test']}, {len(runs)} seeds")
+    for name, label, unit, scale in FIGURES:
+        values = [scale * v for v in spread(runs, name)]
+        if not values:
+            continue
+        mean = statistics.mean(values)
+        deviation = statistics.stdev(values) if len(values) > 1 else math.nan
+        rows = " ".join(f"{v:.4g}" for v in values)
+        print(f"  {label:12} {mean:8.4g} +- {deviation:.3g} {unit} ({100 * deviation / mean:.0f} %):  {rows}")
+    held = sum(r["failure_force"] is None for r in runs)
+    if held:
+        print(f"  {held} of {len(runs)} did not fail before the end")
+
+
+class Unknown:
+    """A factor, sought so that a measured value becomes the wanted one."""
+
+    def __init__(self):
+        self.factor, self.trace = 1.0, []
+
+    def learn(self, ratio):
+        """Takes up measured/wanted at the present factor and moves to the next one."""
+        self.trace.append((math.log(self.factor), math.log(ratio)))
+        power = 1.0
+        if len(self.trace) > 1:
+            (x0, y0), (x1, y1) = self.trace[-2:]
+            if abs(x1 - x0) > 1e-3:
+                power = min(3.0, max(0.3, (y1 - y0) / (x1 - x0)))
+        self.factor *= math.exp(-math.log(ratio) / power)
+
+
+def numbers_of(arguments, case):
+    """Strengths and stiffnesses of the case with its settings, from the resolved case that `check` prints."""
+    command = [str(arguments.gyrosim), "check", str(case)]
+    for setting in arguments.set:
+        command += ["--set", setting]
+    checked = subprocess.run(command, capture_output=True, text=True)
+    if checked.returncode != 0:
+        sys.exit(f"laboratory.py: {case}:\n{checked.stderr}")
+    found, path = {}, []
+    for line in checked.stdout.splitlines():
+        key, colon, value = line.strip().partition(":")
+        if not colon:
+            continue
+        path = path[:(len(line) - len(line.lstrip())) // 2] + [key]
+        name = ".".join(path)
+        if name in STRENGTHS + STIFFNESSES:
+            found[name] = float(value)
+    return found
+
+
+def settings_of(numbers, strength, stiffness):
+    return {key: value * (strength if key in STRENGTHS else stiffness) for key, value in numbers.items()}
+
+
+def wanted_strengths(arguments):
+    """(case, SI value, label) of the strengths that are asked for."""
+    asked = ((arguments.ucs, "uniaxial"), (arguments.lump, "platen"))
+    return [(CASES / f"{case}.yaml", value * 1e6, case) for value, case in asked if value is not None]
+
+
+def mean_of(runs, case, figure):
+    values = spread(runs[case], figure)
+    if not values:
+        sys.exit(f"laboratory.py fit: no run of {case} failed; a longer time.duration may help")
+    return statistics.mean(values)
+
+
+def fit(arguments):
+    wanted = wanted_strengths(arguments)
+    if not wanted:
+        sys.exit("laboratory.py fit: no strength is wanted; --ucs and --lump are accepted, with or without --modulus")
+    uniaxial = CASES / "uniaxial.yaml"
+    cases = {case for case, _, _ in wanted} | ({uniaxial} if arguments.modulus else set())
+    numbers = numbers_of(arguments, wanted[0][0])
+    strength = Unknown()
+    for round_number in range(1, arguments.rounds + 1):
+        overrides = arguments.set + [f"{key}={numbers[key] * strength.factor:.6g}" for key in STRENGTHS]
+        runs = measure(arguments, cases, overrides)
+        scale = arguments.modulus * 1e9 / mean_of(runs, uniaxial, "modulus") if arguments.modulus else 1.0
+        print(f"round {round_number}: strengths of the case x {strength.factor:.4g}, then all stresses x {scale:.4g}")
+        logarithms = []
+        for case, value, label in wanted:
+            measured = scale * mean_of(runs, case, "strength")
+            logarithms.append(math.log(measured / value))
+            print(f"  {label}: {measured / 1e6:.4g} MPa, wanted {value / 1e6:.4g}", flush=True)
+        ratio = math.exp(statistics.mean(logarithms))
+        if abs(math.log(ratio)) < arguments.tolerance:
+            print("found:")
+            for key, value in settings_of(numbers, strength.factor * scale, scale).items():
+                print(f"  --set {key}={value:.4g}")
+            return
+        strength.learn(ratio)
+    sys.exit(f"laboratory.py fit: not within {arguments.tolerance:.0%} after {arguments.rounds} rounds; the last "
+             "round is printed above; more --rounds or --seeds may help")
+
+
+def main():
+    arguments = parse_arguments()
+    if arguments.command == "fit":
+        fit(arguments)
+        return
+    for case, runs in measure(arguments, arguments.cases, arguments.set).items():
+        print_figures(case, runs)
+
+
+if __name__ == "__main__":
+    main()
