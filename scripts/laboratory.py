@@ -53,8 +53,8 @@ def parse_arguments():
     fit.add_argument("--lump", type=float, help="strength of irregular lumps, 0.9 F/d^2 [MPa]")
     fit.add_argument("--modulus", type=float, help="modulus of the uniaxial test [GPa]")
     fit.add_argument("--rounds", type=int, default=5, help="most rounds of the search")
-    fit.add_argument("--tolerance", type=float, default=0.05, help="relative, where the search ends")
-    for command, seeds in ((measure, 5), (fit, 2)):
+    fit.add_argument("--tolerance", type=float, default=0.1, help="relative, where the search ends; seeds scatter by 15 %%")
+    for command, seeds in ((measure, 5), (fit, 4)):
         command.add_argument("--seeds", type=int, default=seeds)
         command.add_argument("--jobs", type=int, default=2, help="runs at the same time, each on one thread")
         command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="as for gyrosim run")
