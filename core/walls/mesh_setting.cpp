@@ -129,15 +129,25 @@ MeshSetting MeshGap::measure(double lift) const {
 }
 
 double MeshGap::solve_lift(double wanted) const {
+  // A lift by s changes no distance by more than s: steps of what is lacking jump over no narrow place, as the one
+  // where the mantle's rim passes the concave's, beyond which the gap widens again.
+  const double most = height_ / 2, least = most / 256;
   double low = 0, high = 0;  // open below, closed above
-  const double most = height_ / 2;
-  for (double step = most / 64; step <= most && closed(low) < wanted; step *= 2) low = -step;
-  for (double step = most / 64; step <= most && closed(high) > wanted; step *= 2) high = step;
-  if (closed(low) < wanted || closed(high) > wanted)
+  double at_low = closed(0) - wanted, at_high = at_low, narrowest = at_low;
+  while (at_low < 0 && low > -most) {
+    low -= std::max(-at_low, least);
+    at_low = closed(low) - wanted;
+  }
+  while (at_high > 0 && high < most) {
+    high += std::max(at_high, least);
+    at_high = closed(high) - wanted;
+    narrowest = std::min(narrowest, at_high);
+  }
+  if (at_low < 0 || at_high > 0)
     throw BadInput("closed_side_setting of " + std::to_string(wanted) +
-                   " m cannot be had by lifting the mantle; between " + std::to_string(std::max(closed(high), 0.0)) +
-                   " and " + std::to_string(closed(low)) + " m are accepted");
-  double at_low = closed(low) - wanted, at_high = closed(high) - wanted;
+                   " m cannot be had by lifting the mantle; between " +
+                   std::to_string(std::max(narrowest + wanted, 0.0)) + " and " + std::to_string(at_low + wanted) +
+                   " m are accepted");
   while (high - low > 1e-6) {  // false position, kept away from the ends
     const double share = at_low == at_high ? 0.5 : std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
     const double middle = low + share * (high - low), value = closed(middle) - wanted;

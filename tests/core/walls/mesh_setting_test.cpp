@@ -35,6 +35,17 @@ TEST_CASE("A mesh mantle is lifted to the asked setting, wherever it was drawn",
   CHECK(lift + drawn_at == Approx(liners.motion.lift).margin(3e-4));  // 0.1 mm of gap is 0.3 mm of lift
 }
 
+TEST_CASE("The search for a lift does not jump over a narrow place", "[walls][setting]") {
+  // In a concave that flares the gap is narrowest where the rims are level, and widens again above.
+  std::vector<LinerRow> flaring;
+  for (double z = 0; z < 1.51; z += 0.0375) flaring.push_back({z, 0.62 - 0.30 * z + 0.03 * z * z, 0.70 + 0.18 * z});
+  const Liners liners = make_liners(flaring, {0.068, 0.013, 2.2});
+  MeshShape mantle = revolve(liners.mantle, 120);
+  for (Vec3d& v : mantle.vertices) v.z -= 0.07;
+  const MeshGap gap(mantle, revolve(liners.concave, 120), liners.motion);
+  CHECK(gap.closed(gap.solve_lift(0.068)) == Approx(0.068).margin(2e-6));
+}
+
 TEST_CASE("Settings that no lift gives are refused", "[walls][setting]") {
   const Liners liners = make_liners(rows, {0.120, 0.0217, 4.2});
   const MeshGap gap(revolve(liners.mantle, 48), revolve(liners.concave, 48), liners.motion);
