@@ -1,28 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The coupled run from inside: speeds and energies of the machine.
-#include "app/device.hpp"
-#include "app/simulation.hpp"
+#include "tests/app/small_crusher.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>
 
-namespace {
-
 using namespace gyro;
-
-/// The small crusher in this process.
-struct SmallCrusher {
-  explicit SmallCrusher(const std::vector<std::string>& set)
-      : input(load_case(GYRO_APP_CASES "/crush.yaml", set).loaded.value()),
-        assembly(assemble(input)),
-        simulation(input, assembly, make_dem(Device{}, assembly.scene, Loads::single)) {}
-
-  Case input;
-  Assembly assembly;
-  Simulation simulation;
-};
-
-}  // namespace
 
 TEST_CASE("A droop motor slows down while rock is crushed, and its energy account closes") {
   SmallCrusher run({"drivetrain.losses={no_load: 20 W, load_factor: 0.05}", "drivetrain.inertia.eccentric=0.01 kg m2"});

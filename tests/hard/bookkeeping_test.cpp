@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of bookkeeping: threads, budgets, what is not finite in the middle of a run.
-#include "app/device.hpp"
-#include "app/simulation.hpp"
 #include "core/base/errors.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/small_crusher.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/dem/scenes.hpp"
 
@@ -11,21 +10,6 @@
 
 using namespace gyro;
 using namespace gyro::test;
-
-namespace {
-
-struct SmallCrusher {
-  explicit SmallCrusher(const std::vector<std::string>& set)
-      : input(load_case(GYRO_APP_CASES "/crush.yaml", set).loaded.value()),
-        assembly(assemble(input)),
-        simulation(input, assembly, make_dem(Device{}, assembly.scene, Loads::single)) {}
-
-  Case input;
-  Assembly assembly;
-  Simulation simulation;
-};
-
-}  // namespace
 
 TEST_CASE("H30 a number that is not finite stops the run at the end of its window, with the id", "[hard]") {
   const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity());
