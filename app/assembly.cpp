@@ -6,7 +6,6 @@
 #include "app/start_state.hpp"
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
-#include "core/walls/mesh_setting.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,18 +52,13 @@ void add_wall(Assembly& out, const CaseWall& wall) {
 /// Liners given as meshes: lifts the gyrating ones so that the asked setting is met.
 void set_meshes(Assembly& out, double closed_side_setting) {
   if (out.gyrating == none || out.liners) return;
-  const MeshShape* concave = nullptr;
-  for (const Wall& wall : out.scene.walls)
-    if (wall.name == "concave" && std::holds_alternative<Fixed>(wall.motion))
-      concave = std::get_if<MeshShape>(&wall.shape);
-  const Wall& mantle = out.scene.walls[static_cast<std::size_t>(out.gyrating)];
-  const auto* shape = std::get_if<MeshShape>(&mantle.shape);
-  if (concave == nullptr || shape == nullptr) {
+  const std::optional<MeshLiners> liners = mesh_liners(out.scene);
+  if (!liners) {
     out.notes.push_back(
         "no fixed mesh is called concave: closed_side_setting is not imposed, the mantle stays as drawn");
     return;
   }
-  const MeshGap gap(*shape, *concave, std::get<GyrationMotion>(mantle.motion));
+  const MeshGap gap(liners->mantle, liners->concave, liners->motion);
   const double lift = gap.solve_lift(closed_side_setting);
   for (Wall& wall : out.scene.walls)
     if (auto* motion = std::get_if<GyrationMotion>(&wall.motion)) motion->lift = lift;
@@ -156,25 +150,44 @@ Liners liners_of(const CaseCrusher& crusher) {
   return make_liners(crusher.liners, {crusher.closed_side_setting, crusher.eccentricity, crusher.pivot_height});
 }
 
-Assembly assemble(const Case& input) {
-  if (input.output.hdf5)
-    throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; vtp is accepted");
+std::optional<MeshLiners> mesh_liners(const Scene& scene) {
+  const MeshShape *concave = nullptr, *mantle = nullptr;
+  const GyrationMotion* motion = nullptr;
+  for (const Wall& wall : scene.walls) {
+    const auto* shape = std::get_if<MeshShape>(&wall.shape);
+    if (wall.name == "concave" && std::holds_alternative<Fixed>(wall.motion)) concave = shape;
+    if (motion != nullptr) continue;
+    motion = std::get_if<GyrationMotion>(&wall.motion);
+    mantle = motion != nullptr ? shape : nullptr;
+  }
+  if (concave == nullptr || mantle == nullptr) return std::nullopt;
+  return MeshLiners{*concave, *mantle, *motion};
+}
+
+Assembly assemble_walls(const Case& input) {
   Assembly out;
-  Scene& scene = out.scene;
-  scene.materials = input.materials;
-  scene.pairs = pair_table(input);
-  scene.rock_material = input.rock_material;
-  scene.gravity = input.gravity;
-  scene.wall_impulses = input.output.liners.has_value();
-  if (input.bonds) scene.bonds = bond_parameters(*input.bonds);
+  out.scene.materials = input.materials;
   if (input.crusher) {
     const CaseCrusher& c = *input.crusher;
     out.pivot_height = c.pivot_height;
     if (!c.liners.empty()) out.liners = blaming("crusher", [&] { return liners_of(c); });
   }
-  if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
   for (const CaseWall& wall : input.walls) blaming("walls." + wall.name, [&] { add_wall(out, wall); });
   if (input.crusher) blaming("crusher", [&] { set_meshes(out, input.crusher->closed_side_setting); });
+  return out;
+}
+
+Assembly assemble(const Case& input) {
+  if (input.output.hdf5)
+    throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; vtp is accepted");
+  if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
+  Assembly out = assemble_walls(input);
+  Scene& scene = out.scene;
+  scene.pairs = pair_table(input);
+  scene.rock_material = input.rock_material;
+  scene.gravity = input.gravity;
+  scene.wall_impulses = input.output.liners.has_value();
+  if (input.bonds) scene.bonds = bond_parameters(*input.bonds);
   if (input.rocks) {
     out.library = blaming("rocks", [&] { return make_library(recipe_of(input, scene), default_cache_folder()); });
     out.notes.insert(out.notes.end(), out.library.notes.begin(), out.library.notes.end());

@@ -7,6 +7,7 @@
 #include "core/feed/feed.hpp"
 #include "core/rocks/library.hpp"
 #include "core/walls/liners.hpp"
+#include "core/walls/mesh_chamber.hpp"
 #include "io/case.hpp"
 
 #include <optional>
@@ -39,6 +40,12 @@ struct Assembly {
 /// Makes scene, library, liners, feed plan and time step of a case.
 /// @throws BadKey for files that cannot be used, a library that cannot be made, a step above its limit
 Assembly assemble(const Case& input);
+
+/// Materials and walls alone, the mantle set. @throws BadKey as assemble() does
+Assembly assemble_walls(const Case& input);
+
+/// Mantle and concave of a scene where both are meshes: the first wall that gyrates, and the fixed one of that name.
+std::optional<MeshLiners> mesh_liners(const Scene& scene);
 
 /// Liners of a crusher with a profile. @throws BadInput for settings that the profile cannot have
 Liners liners_of(const CaseCrusher& crusher);

@@ -78,6 +78,9 @@ auto located(const CaseArguments& arguments, Work&& work) {
   }
 }
 
+/// Makes a directory to write into, with those above it. @throws OutputError
+void make_directory(const std::filesystem::path& path);
+
 /// Loads a case; prints every problem to standard error, one a line, and returns nothing if there is one.
 std::optional<Case> load_or_complain(const CaseArguments& arguments);
 

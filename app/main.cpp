@@ -123,7 +123,7 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
   c->add_flag("--json", a.library.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return library_command(a.library, a.library_out); }; });
 
-  c = app.add_subcommand("liners", "write the liners of a profile as STL and measure the chamber");
+  c = app.add_subcommand("liners", "measure the chamber of profile or meshes, write the set liners as STL");
   add_case(*c, a.liners);
   c->add_option("--out", a.liners_out, "directory")->required();
   c->add_flag("--json", a.liners.json, "one JSON document on standard output");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/errors.hpp"
 #include "core/walls/liners.hpp"
+#include "core/walls/slice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,19 +74,7 @@ LinerLevel slice_at(const Liners& liners, double z, double speed, double gravity
   const Chamber chamber{liners};
   const double half_turn = std::numbers::pi / speed;
   const double fall = gravity * half_turn * half_turn / 2, nipped = chamber.closed_gap(z);
-  constexpr int steps = 256;
-  double drop = fall;
-  for (int i = 1; i <= steps; ++i) {
-    if (z - fall * i / steps < chamber.bottom()) break;  // out of the chamber: nothing holds it
-    if (chamber.open_gap(z - fall * i / steps) > nipped) continue;
-    double before = fall * (i - 1) / steps, after = fall * i / steps;
-    for (int halving = 0; halving < 40; ++halving) {
-      const double middle = (before + after) / 2;
-      (chamber.open_gap(z - middle) > nipped ? before : after) = middle;
-    }
-    drop = after;
-    break;
-  }
+  const double drop = slice_drop(z, chamber.bottom(), fall, nipped, [&](double at) { return chamber.open_gap(at); });
   const double area = chamber.area(z);
   return {z, area, drop, area * drop * speed / (2 * std::numbers::pi)};
 }

@@ -58,6 +58,19 @@ MeshGap::MeshGap(const MeshShape& mantle, const MeshShape& concave, const Gyrati
   take_points(mantle, lowest, lowest + 0.1 * height_, &Strip::mantle);
   std::erase_if(strips_, [](const Strip& strip) { return strip.concave.empty(); });
   if (strips_.empty()) throw BadInput("the concave is open where the setting is measured; a closed ring is accepted");
+  reach_ = widest_gap() + 0.1 * height_;
+}
+
+/// No gap is larger than the distance of any point of its strip, which a gyration changes by less than twice the
+/// eccentricity at the discharge.
+double MeshGap::widest_gap() const {
+  double widest = 0;
+  for (const Strip& strip : strips_) {
+    const Nearest nearest = nearest_triangle(mantle_, strip.concave.front(), 0.1 * height_);
+    if (nearest.triangle == none) throw BadInput("the mantle is nowhere near the concave; one inside it is accepted");
+    widest = std::max(widest, nearest.point.height + 2 * motion_.eccentricity);
+  }
+  return widest;
 }
 
 void MeshGap::take_points(const MeshShape& mesh, double low, double high, std::vector<Vec3d> Strip::*points) {
@@ -81,7 +94,7 @@ void MeshGap::take_points(const MeshShape& mesh, double low, double high, std::v
 double MeshGap::gap_of_mantle(const Strip& strip, const WallPose& pose, double least) const {
   for (const Vec3d& point : strip.mantle) {
     const Vec3d p = to_world(pose, point);
-    const Nearest nearest = nearest_within(concave_, p, std::min(std::abs(least), reach()));
+    const Nearest nearest = nearest_within(concave_, p, std::min(std::abs(least), reach_));
     if (nearest.triangle == none) continue;
     const Vec3d q = p - nearest.point.height * nearest.point.normal;
     if (q.z < 0 || q.z > 0.1 * height_) continue;
@@ -96,10 +109,10 @@ double MeshGap::gap(const Strip& strip, double angle, double lift) const {
   GyrationMotion motion = motion_;
   motion.lift = lift;
   const WallPose pose = gyration_pose(motion, {.angle = angle});
-  double least = reach();
+  double least = reach_;
   for (const Vec3d& point : strip.concave) {
     const Vec3d p = to_body(pose, point);
-    const Nearest nearest = nearest_within(mantle_, p, std::min(std::abs(least), reach()));
+    const Nearest nearest = nearest_within(mantle_, p, std::min(std::abs(least), reach_));
     if (nearest.triangle == none) continue;
     const Vec3d q = p - nearest.point.height * nearest.point.normal;
     const double side = std::hypot(p.x, p.y) >= std::hypot(q.x, q.y) ? 1 : -1;
@@ -114,18 +127,28 @@ double MeshGap::closed(double lift) const {
   return least;
 }
 
+SideOfMeshes MeshGap::side(const Strip& strip, double lift) const {
+  SideOfMeshes side{strip.azimuth, 1e300, -1e300};
+  for (int k = 0; k < angles; ++k) {
+    const double now = gap(strip, strip.azimuth + 2 * std::numbers::pi * k / angles, lift);
+    side = {side.azimuth, std::min(side.closed, now), std::max(side.open, now)};
+  }
+  return side;
+}
+
 MeshSetting MeshGap::measure(double lift) const {
-  MeshSetting setting{1e300, 0};
+  MeshSetting setting{1e300, -1e300};
   for (std::size_t s = 0; s < strips_.size(); s += 4) {
-    double least = 1e300, largest = 0;
-    for (int k = 0; k < angles; ++k) {
-      const double now = gap(strips_[s], strips_[s].azimuth + 2 * std::numbers::pi * k / angles, lift);
-      least = std::min(least, now);
-      largest = std::max(largest, now);
-    }
-    setting = {std::min(setting.closed, least), std::max(setting.open, largest)};
+    const SideOfMeshes now = side(strips_[s], lift);
+    setting = {std::min(setting.closed, now.closed), std::max(setting.open, now.open)};
   }
   return setting;
+}
+
+std::vector<SideOfMeshes> MeshGap::sides(double lift) const {
+  std::vector<SideOfMeshes> sides;
+  for (const Strip& strip : strips_) sides.push_back(side(strip, lift));
+  return sides;
 }
 
 double MeshGap::solve_lift(double wanted) const {

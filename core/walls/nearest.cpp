@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/nearest.hpp"
 
+#include <algorithm>
+
 namespace gyro {
 
 Nearest nearest_within(const MeshGrid& mesh, const Vec3d& centre, double reach) {
+  constexpr double rounding = 1e-14;  // relative: triangles at the same distance are all looked at
   Nearest best;
-  for (const Index k : mesh.candidates(centre, reach)) {
+  double within = reach;
+  const auto look = [&](Index k) {  // in any order, some more than once
     NearPoint point;
     const WallTriangle& t = mesh.triangles()[static_cast<std::size_t>(k)];
-    if (near_triangle(t, centre, reach, point) == Place::out_of_reach) continue;
-    if (best.triangle == none || comes_before(point, best.point)) best = {k, point};
-  }
+    if (near_triangle(t, centre, within, point) == Place::out_of_reach) return;
+    const bool same = best.triangle != none && !comes_before(point, best.point) && !comes_before(best.point, point);
+    if (best.triangle != none && !comes_before(point, best.point) && !(same && k < best.triangle)) return;
+    best = {k, point};
+    within = std::min(within, point.height * (1 + rounding));
+  };
+  visit_near(mesh.view(), centre, reach, look);
   return best;
 }
 

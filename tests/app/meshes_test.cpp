@@ -9,6 +9,25 @@ TEST_CASE("Liners written as STL and used as walls crush as the profile does") {
   const Workplace place;
   std::filesystem::copy(GYRO_APP_CASES "/stl.yaml", place.path());
   REQUIRE(place.gyrosim("liners '" GYRO_APP_CASES "/crush.yaml' --out liners").code == 0);
+  const Outcome of_profile = place.gyrosim("liners '" GYRO_APP_CASES "/crush.yaml' --out again --json");
+  const Outcome of_meshes = place.gyrosim("liners stl.yaml --out set --json");
+  INFO(of_meshes.err);
+  REQUIRE(of_meshes.code == 0);
+  const nlohmann::json p = nlohmann::json::parse(of_profile.out), m = nlohmann::json::parse(of_meshes.out);
+  for (const char* length : {"closed_side_setting", "open_side_setting", "throw"})
+    CHECK(m[length].get<double>() == Approx(p[length].get<double>()).margin(5e-5));
+  CHECK(m["choke_height"].get<double>() == Approx(p["choke_height"].get<double>()).margin(1e-3));
+  CHECK(m["volume"].get<double>() == Approx(p["volume"].get<double>()).epsilon(3e-3));
+  CHECK(m["capacity_tph"].get<double>() == Approx(p["capacity_tph"].get<double>()).epsilon(3e-3));
+  CHECK(m["sides"].size() == 24);
+  CHECK(std::filesystem::exists(place.path() / "set/mantle.stl"));
+
+  const Outcome unnamed =
+      place.gyrosim("liners stl.yaml --out l --set walls.concave.motion='{linear: [0, 0, 1 mm/s]}'");
+  INFO(unnamed.err);
+  CHECK(unnamed.code == 2);
+  CHECK(unnamed.err.find("fixed and called concave") != std::string::npos);
+
   const Outcome meshes = place.gyrosim("run stl.yaml --until '8 ms' --out meshes");
   INFO(meshes.err);
   REQUIRE(meshes.code == 0);
