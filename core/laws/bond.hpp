@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laws/bond_springs.hpp"
 #include "core/laws/bond_strain.hpp"
 #include "core/math/select.hpp"
 
@@ -52,8 +53,6 @@ struct BondLoad {
 
 namespace bond_detail {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// Moments of a force F on j (and -F on i) that acts at the section x_i + a_i d, plus a couple on j
 /// (and its opposite on i): angular momentum is kept exactly.
 template <class T>
@@ -65,11 +64,11 @@ GYRO_HD void set_moments(BondLoad<T>& out, T arm, const Vec3<T>& span, const Vec
 
 template <class T>
 GYRO_HD T normal_stiffness(const BondLaw<T>& law, const BondSection<T>& b) {
-  return law.normal_stiffness + law.normal_modulus / b.length;
+  return stiffness_per_area(law.normal_stiffness, law.normal_modulus, b.length);
 }
 template <class T>
 GYRO_HD T shear_stiffness(const BondLaw<T>& law, const BondSection<T>& b) {
-  return law.shear_stiffness + law.shear_modulus / b.length;
+  return stiffness_per_area(law.shear_stiffness, law.shear_modulus, b.length);
 }
 
 /// Velocity of j's side of the section relative to i's side [m/s], for a span that the two ends carry.
@@ -85,6 +84,36 @@ GYRO_HD Vec3<T> span_of_rates(const BondLaw<T>& law, const BondRates<T>& r, cons
   return span - (T(0.5) * law.dt) * r.velocity;
 }
 
+/// Elastic loads of a glued bond: a force on j that acts at the section, and a couple on j.
+template <class T>
+struct ElasticLoads {
+  Vec3<T> force, couple;
+};
+
+/// Minus the gradient of U, see bond_load(). Turns of the ends by small f_i, f_j change
+///
+///   theta by w (f_j - f_i) + 1/2 (f_i + f_j) x theta           w = sqrt(1 - |theta|^2/4)
+///   e_w   by (f + kappa/2 (f_j - f_i) x theta) x e_w           kappa = a_i a_j / N, N = 1 - 2 a_i a_j (1 - w)
+///
+/// where f = (a_i f_i + a_j f_j) + 2 kappa (1 - w) (1/2 - a_i) (f_j - f_i). Terms beyond the first power of the strains
+/// are what keeps the energy: without them a crushed rock of soft bonds lost 2e-4 of its work at any step.
+template <class T>
+GYRO_HD ElasticLoads<T> elastic_loads(const BondSprings<T>& k, T length0, T arm, const BondStrain<T>& s) {
+  using std::sqrt;
+  const T ratio = length0 / s.length;
+  const Vec3<T> shear = (k.shear * length0 * ratio * s.along) * s.shear;
+  const Vec3<T> tilt = ((k.bending - k.twist) * s.twist / s.length) * s.bend;  // n turns in a twisted and bent bond
+
+  const Vec3<T> theta = s.bend + s.twist * s.normal;
+  const T w = sqrt(positive(T(1) - T(0.25) * norm2(theta))), missing = T(1) - w;
+  const T both = arm * (T(1) - arm), kappa = both / (T(1) - (both + both) * missing);
+  const Vec3<T> span = s.length * s.normal, lever = cross(span, shear);
+  const Vec3<T> uneven = cross(span, tilt) - ((kappa + kappa) * missing) * lever;
+  return {shear + tilt - (k.normal * s.stretch) * s.normal,
+          (T(0.5) - arm) * uneven - (T(0.5) * kappa) * cross(theta, lever) - (w * k.twist * s.twist) * s.normal -
+              (w * k.bending) * s.bend};
+}
+
 }  // namespace bond_detail
 
 /// Bond between two particles: the parallel bond of Potyondy & Cundall, "A bonded-particle model
@@ -97,7 +126,8 @@ GYRO_HD Vec3<T> span_of_rates(const BondLaw<T>& law, const BondRates<T>& r, cons
 ///   sigma = kn (L - L0) + kn Rb |theta_s|        >= sigma_c   tension with bending, or
 ///   tau   = ks L0 (L0/L) c |gamma| + ks Rb |theta_n| >= tau_c shear with twist
 ///
-/// and damping 2 xi sqrt(k m*) on the rate of each mode, which counts neither for the stresses nor
+/// F_j and M_j to the first power of the strains: elastic_loads() has the gradient of U itself, so that strained bonds
+/// give back what they took. Damping 2 xi sqrt(k m*) on the rate of each mode counts neither for the stresses nor
 /// for U. Compression lowers sigma. Departure from Xiong et al. (Minerals 2024, eqs. 3-8), who print
 /// Rb^2 in I and J and the minimum of two stresses: misprints.
 template <class T>
@@ -105,12 +135,8 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
                               const BondRates<T>& rates) {
   using std::sqrt;
   const T kn = bond_detail::normal_stiffness(law, b), ks = bond_detail::shear_stiffness(law, b);
-  const T area = T(bond_detail::pi) * b.radius * b.radius;
-  const T second = T(0.25) * area * b.radius * b.radius;  // I; J = 2 I
-
-  const T tension = kn * s.stretch;
-  const T stiff = ks * b.length * (b.length / s.length) * s.along;  // shear stress / |gamma|
-  const Vec3<T> moment = -(second * (ks + ks) * s.twist) * s.normal - (second * kn) * s.bend;
+  const BondSprings<T> k = bond_springs(kn, ks, b.radius);
+  const bond_detail::ElasticLoads<T> elastic = bond_detail::elastic_loads(k, b.length, b.arm, s);
 
   const Vec3<T> span = s.length * s.normal;
   const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, bond_detail::span_of_rates(law, rates, span));
@@ -120,25 +146,27 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
   const T roll_n = dot(roll, s.normal);
   const Vec3<T> roll_s = roll - roll_n * s.normal;
 
-  // 2 xi sqrt(k m*) for k = kn A, ks A, kn I = kn A Rb^2/4 and ks J = ks A Rb^2/2.
-  const T root_n = (law.damping + law.damping) * sqrt(kn * area);
-  const T root_s = (law.damping + law.damping) * sqrt(ks * area);
+  // 2 xi sqrt(k m*) of the four springs: kn I = kn A Rb^2/4 and ks J = ks A Rb^2/2.
+  const T root_n = (law.damping + law.damping) * sqrt(k.normal);
+  const T root_s = (law.damping + law.damping) * sqrt(k.shear);
   const T half_arm = T(0.5) * b.radius * b.sqrt_inertia;
   const T c_n = root_n * b.sqrt_mass, c_s = root_s * b.sqrt_mass;
   const T c_b = root_n * half_arm, c_t = root_s * half_arm * T(1.4142135623730951);
 
   BondLoad<T> out;
   const Vec3<T> drag = (c_n * slide_n) * s.normal + c_s * slide_s;
-  out.force = (area * stiff) * s.shear - (area * tension) * s.normal - drag;
-  bond_detail::set_moments(out, b.arm, span, moment - (c_t * roll_n) * s.normal - c_b * roll_s);
+  out.force = elastic.force - drag;
+  bond_detail::set_moments(out, b.arm, span, elastic.couple - (c_t * roll_n) * s.normal - c_b * roll_s);
   out.damped = law.dt * (dot(drag, bond_detail::slide_velocity(rates, b.arm, span)) + c_t * roll_n * roll_n +
                          c_b * norm2(roll_s));
 
   const T shear2 = norm2(s.shear), bend2 = norm2(s.bend);
+  const T tension = kn * s.stretch, shear_rate = ks * b.length * (b.length / s.length) * s.along;
   out.tension_ratio = (tension + kn * b.radius * sqrt(bend2)) / (law.tensile_strength * b.strength);
-  out.shear_ratio = (stiff * sqrt(shear2) + ks * b.radius * magnitude(s.twist)) / (law.shear_strength * b.strength);
-  out.elastic = T(0.5) * (area * (kn * s.stretch * s.stretch + ks * b.length * b.length * shear2) +
-                          second * ((ks + ks) * s.twist * s.twist + kn * bend2));
+  out.shear_ratio =
+      (shear_rate * sqrt(shear2) + ks * b.radius * magnitude(s.twist)) / (law.shear_strength * b.strength);
+  out.elastic = T(0.5) * (k.normal * s.stretch * s.stretch + k.shear * b.length * b.length * shear2 +
+                          k.twist * s.twist * s.twist + k.bending * bend2);
   return out;
 }
 
@@ -166,19 +194,19 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
                                     const BondRates<T>& rates) {
   using std::sqrt;
   const T kn = bond_detail::normal_stiffness(law, b), ks = bond_detail::shear_stiffness(law, b);
-  const T area = T(bond_detail::pi) * b.radius * b.radius;
+  const BondSprings<T> k = bond_springs(kn, ks, b.radius);
   const Vec3<T> span = s.length * s.normal;
 
   const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, span);
   const T slide_n = dot(slide, s.normal);
   const Vec3<T> span_then = bond_detail::span_of_rates(law, rates, span);
   const T part_n = dot(bond_detail::slide_velocity(rates, b.arm, span_then), s.normal);
-  const T c_n = (law.damping + law.damping) * sqrt(kn * area) * b.sqrt_mass;
-  const T spring = positive(-(kn * area * s.stretch));
+  const T c_n = (law.damping + law.damping) * sqrt(k.normal) * b.sqrt_mass;
+  const T spring = positive(-(k.normal * s.stretch));
   const T push = select(s.stretch < T(0), positive(spring - c_n * part_n), T(0));
 
   const T gamma2 = norm2(s.shear);
-  const T stiff = area * ks * b.length * (b.length / s.length) * s.along;
+  const T stiff = k.shear * b.length * (b.length / s.length) * s.along;
   const T trial = magnitude(stiff) * sqrt(gamma2), limit = law.friction * push;
   const T spring_s = larger(magnitude(stiff) / s.length, T(1e-30));  // shear force over slide, now [N/m]
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rocks/linear_rock.hpp"
 
+#include "core/laws/bond_springs.hpp"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -16,21 +18,20 @@ struct SpringDamper {
   double stiffness, damping;
 };
 
-/// Spring-dampers of a bond: k_n A and k_s A on the stretch, k_s J and k_n I on the turn, with
-/// A = pi b^2, I = pi b^4/4, J = pi b^4/2 (Potyondy & Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329),
-/// each damped by c = 2 xi sqrt(k m_eff), m_eff = the pair's reduced mass or moment of inertia.
-struct BondSprings {
+/// The springs of a bond (core/laws/bond_springs.hpp), each damped by c = 2 xi sqrt(k m_eff), m_eff = the pair's
+/// reduced mass or moment of inertia.
+struct DampedBond {
   SpringDamper normal, shear, twist, bending;
 };
 
-BondSprings bond_springs(const BondParameters& p, const TemplateBond& bond, double reduced_mass,
-                         double reduced_inertia) {
-  const double b = bond.radius, area = std::numbers::pi * b * b, quartic = area * b * b;
-  const double kn = p.normal_stiffness + p.normal_modulus / bond.length;
-  const double ks = p.shear_stiffness + p.shear_modulus / bond.length;
-  const auto damped = [&](double k, double m) { return SpringDamper{k, 2 * p.damping * std::sqrt(k * m)}; };
-  return {damped(kn * area, reduced_mass), damped(ks * area, reduced_mass), damped(ks * quartic / 2, reduced_inertia),
-          damped(kn * quartic / 4, reduced_inertia)};
+DampedBond damped_bond(const BondParameters& p, const TemplateBond& bond, double reduced_mass, double reduced_inertia) {
+  const auto k = bond_springs(stiffness_per_area(p.normal_stiffness, p.normal_modulus, bond.length),
+                              stiffness_per_area(p.shear_stiffness, p.shear_modulus, bond.length), bond.radius);
+  const auto damped = [&](double spring, double m) {
+    return SpringDamper{spring, 2 * p.damping * std::sqrt(spring * m)};
+  };
+  return {damped(k.normal, reduced_mass), damped(k.shear, reduced_mass), damped(k.twist, reduced_inertia),
+          damped(k.bending, reduced_inertia)};
 }
 
 Row12 row(const Vec3d& xi, const Vec3d& turn_i, const Vec3d& xj, const Vec3d& turn_j) {
@@ -49,7 +50,7 @@ struct Element {
 
 /// Stretch u = x_j - x_i - (turn_i x n) L_i - (turn_j x n) L_j, with L_i + L_j = L0 so that angular momentum
 /// is kept; turn theta = turn_j - turn_i.
-Element bond_element(const RockTemplate& rock, const TemplateBond& bond, const BondSprings& springs) {
+Element bond_element(const RockTemplate& rock, const TemplateBond& bond, const DampedBond& springs) {
   const Vec3d zero{0, 0, 0}, d = rock.centres[bond.j] - rock.centres[bond.i];
   const Vec3d n = (1 / norm(d)) * d;
   const Vec3d helper = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
@@ -101,7 +102,7 @@ LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, cons
   for (const TemplateBond& bond : rock.bonds) {
     const Index i = bond.i, j = bond.j;
     const auto reduced = [&](const std::vector<double>& m) { return m[i] * m[j] / (m[i] + m[j]); };
-    const Element e = bond_element(rock, bond, bond_springs(bonds, bond, reduced(mass), reduced(inertia)));
+    const Element e = bond_element(rock, bond, damped_bond(bonds, bond, reduced(mass), reduced(inertia)));
     const auto place = [&](int k) { return k < 6 ? 6 * i + k : 6 * j + k - 6; };
     for (int a = 0; a < 12; ++a) {
       for (int b = 0; b < 12; ++b) {
