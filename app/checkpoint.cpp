@@ -25,9 +25,8 @@ std::string changed_input(const std::string& now, const std::string& then) {
 
 void require_same(const Case& input, const std::string& resolved, const std::filesystem::path& file) {
   if (const auto differs = difference(input.resolved, resolved))
-    throw BadKey(differs->key,
-                 differs->key + " is " + differs->value + ", in " + file.string() + " " + differs->other +
-                     "; only time.duration and output may change in a run that goes on, --overwrite starts again");
+    throw BadKey(differs->key, differs->key + " is " + differs->value + ", in " + file.string() + " " + differs->other +
+                                   "; only time.duration and output may change, --overwrite starts again");
 }
 
 }  // namespace

@@ -297,6 +297,7 @@ std::optional<SavedState> state_to_go_on_with(const Case& input, const RunDirect
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
+  catch_stop_signals();
   const std::optional<Case> input = load_or_complain(arguments.input);
   if (!input) return exit_bad_input;
   const RunDirectoryRequest request{arguments.out, arguments.input.file.stem().string(), arguments.resume,
@@ -305,10 +306,10 @@ int run_command(const RunArguments& arguments) {
   const double end = arguments.until.value_or(input->time.duration), later = end - directory.simulated_seconds;
   if (directory.state == RunDirectory::State::finished &&
       (!arguments.resume || later < 1e-6 * input->coupling_interval)) {
+    located(arguments.input, [&] { require_same_case(directory.path, *input); });
     std::cerr << directory.path.string() << " holds a finished run; nothing to do\n";
     return exit_done;
   }
-  catch_stop_signals();
   std::optional<Run> run;
   located(arguments.input, [&] {
     const std::optional<SavedState> saved = state_to_go_on_with(*input, directory);
