@@ -5,6 +5,7 @@
 #include "io/replace_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -18,8 +19,10 @@ constexpr double split = 2.0 / 3;        // of the mass: a rock whose largest fr
 constexpr double contact_share = 0.005;  // of the failure force: the platen has met the rock
 constexpr double secant_from = 0.2, secant_to = 0.6;
 
+constexpr std::size_t first_breaks = 20;  // they show where a disc begins to fail
+
 std::string name_of(Test test) {
-  return test == Test::platen ? "platen" : "uniaxial";
+  return test == Test::platen ? "platen" : test == Test::brazilian ? "brazilian" : "uniaxial";
 }
 
 struct Peak {
@@ -27,8 +30,17 @@ struct Peak {
   bool failed = false;
 };
 
+/// Number of breaks before the moving platen bears a force.
+std::size_t breaks_before(const Compression& c) {
+  std::size_t row = 0, count = 0;
+  while (row < c.force.size() && !(c.force[row] > 0)) ++row;
+  const double begin = row == 0 ? 0 : c.time[row - 1];
+  while (count < c.breaks.size() && c.breaks[count].time < begin) ++count;
+  return count;
+}
+
 bool cracked(const Compression& c, std::size_t row) {
-  return c.first_break_time && *c.first_break_time <= c.time[row];
+  return !c.breaks.empty() && c.breaks.front().time <= c.time[row];
 }
 
 /// The largest force before the rock has split.
@@ -51,8 +63,8 @@ Peak peak_of_cylinder(const Compression& c) {
 
 /// The row in which the first bond breaks.
 std::optional<std::size_t> first_break(const Compression& c) {
-  if (!c.first_break_time) return std::nullopt;
-  const auto row = std::lower_bound(c.time.begin(), c.time.end(), *c.first_break_time) - c.time.begin();
+  if (c.breaks.empty()) return std::nullopt;
+  const auto row = std::lower_bound(c.time.begin(), c.time.end(), c.breaks.front().time) - c.time.begin();
   return std::min(static_cast<std::size_t>(row), c.time.size() - 1);
 }
 
@@ -75,8 +87,17 @@ double displacement_at(const std::vector<CurvePoint>& curve, double force) {
   return curve.back().displacement;
 }
 
+/// Share of the first breaks in the middle third between the platens; a third if they were anywhere.
+double middle_share(const std::vector<Compression::Break>& breaks) {
+  const auto end = breaks.begin() + static_cast<std::ptrdiff_t>(std::min(first_breaks, breaks.size()));
+  const auto middle =
+      std::count_if(breaks.begin(), end, [](const Compression::Break& b) { return std::abs(b.place) < 1.0 / 6; });
+  return static_cast<double>(middle) / static_cast<double>(end - breaks.begin());
+}
+
 double strength_of(const Compression& c, double force, double size) {
   if (c.test == Test::uniaxial) return 4 * force / (std::numbers::pi * c.diameter * c.diameter);
+  if (c.test == Test::brazilian) return 2 * force / (std::numbers::pi * c.diameter * c.length);
   return 0.9 * force / (size * size);
 }
 
@@ -102,12 +123,15 @@ Vec3d velocity_of(const Assembly& assembly, Index wall) {
 
 }  // namespace
 
-LaboratoryReport evaluate(const Compression& c) {
+LaboratoryReport evaluate(Compression c) {
   LaboratoryReport report;
   LaboratoryFigures& f = report.figures;
   f.test = name_of(c.test);
   f.size = c.gap;
   if (c.force.empty()) return report;
+  const std::size_t before = breaks_before(c);
+  f.broken_before = static_cast<int>(before);
+  c.breaks.erase(c.breaks.begin(), c.breaks.begin() + static_cast<std::ptrdiff_t>(before));
   const Peak peak = c.test == Test::uniaxial ? peak_of_cylinder(c) : peak_of_lump(c);
   const double largest = c.force[peak.row];
   if (!(largest > 0)) return report;  // they never met
@@ -116,6 +140,7 @@ LaboratoryReport evaluate(const Compression& c) {
   for (std::size_t k = contact; k < c.force.size(); ++k)
     report.curve.push_back({c.closing_speed * (c.time[k] - c.time[contact]), c.force[k]});
   if (const auto row = first_break(c)) f.first_break_force = c.force[*row];
+  if (c.test == Test::brazilian && !c.breaks.empty()) f.middle_breaks = middle_share(c.breaks);
   if (peak.failed) add_failure(f, c, report.curve, largest);
   return report;
 }
@@ -138,9 +163,15 @@ Compression measured_compression(const Case& input, const Assembly& assembly, co
   const std::vector<double> forces =
       file.dataset("/series/wall_force_" + input.walls[static_cast<std::size_t>(laboratory.moving)].name).read();
   for (std::size_t k = 0; k < c.time.size(); ++k)
-    c.force.push_back(-dot(Vec3d{forces[3 * k], forces[3 * k + 1], forces[3 * k + 2]}, moving.normal));
-  const std::vector<double> breaks = file.dataset("/breakage/time").read();
-  if (!breaks.empty()) c.first_break_time = breaks.front();
+    c.force.push_back(0.0 - dot(Vec3d{forces[3 * k], forces[3 * k + 1], forces[3 * k + 2]}, moving.normal));  // not -0
+  const std::vector<double> times = file.dataset("/breakage/time").read(),
+                            places = file.dataset("/breakage/position").read();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const Vec3d place{places[3 * k], places[3 * k + 1], places[3 * k + 2]};
+    const Vec3d platen = moving.point + times[k] * velocity_of(assembly, laboratory.moving);
+    const double gap = c.gap - c.closing_speed * times[k];
+    c.breaks.push_back({times[k], 0.5 - dot(place - platen, moving.normal) / gap});
+  }
   return c;
 }
 

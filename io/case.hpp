@@ -128,7 +128,7 @@ struct CaseNumerics {
 
 /// `laboratory`: what a run measures on one rock between two platens.
 struct CaseLaboratory {
-  enum class Test { platen, uniaxial };
+  enum class Test { platen, brazilian, uniaxial };
   Test test = Test::platen;
   Index fixed = none, moving = none;  ///< planes, in Case::walls
 };

@@ -94,12 +94,18 @@ ShapeStyle style_of(const Setting& section) {
   return style;
 }
 
+MonoFill mono_fill_of(const Setting& section) {
+  const Setting* surface = section.find("surface");
+  const bool smooth = surface != nullptr && surface->texts[0] == "smooth";
+  return {section.number("ratio"), smooth ? MonoFill::Surface::smooth : MonoFill::Surface::cut};
+}
+
 CaseRocks rocks_of(const Setting& section, const CaseTables& tables) {
   CaseRocks rocks;
   if (const Setting* files = section.find("shapes.files"))
     rocks.shapes = ShapeFiles{files->texts, static_cast<int>(number_if(section, "shapes.corners").value_or(0))};
   else if (const auto slenderness = number_if(section, "shapes.cylinder"))
-    rocks.shapes = CylinderSpecimen{*slenderness};
+    rocks.shapes = CylinderSpecimen{*slenderness, number_if(section, "shapes.loading_angle").value_or(0)};
   else
     rocks.shapes =
         ProceduralShapes{static_cast<int>(section.number("shapes.procedural")), style_of(*section.find("shapes"))};
@@ -108,7 +114,7 @@ CaseRocks rocks_of(const Setting& section, const CaseTables& tables) {
   if (const Setting* sizes = section.find("fill.sizes"))
     rocks.fill = RangeFill{sizes->numbers[0], sizes->numbers[1], section.number("fill.exponent")};
   else
-    rocks.fill = MonoFill{section.number("fill.ratio")};
+    rocks.fill = mono_fill_of(*section.find("fill"));
   rocks.density_compensated = section.text("density") == "compensated";
   return rocks;
 }
@@ -172,8 +178,10 @@ CaseParticles particles_of(const Setting& section, const CaseTables& tables) {
 CaseLaboratory laboratory_of(const Setting& section, const std::vector<CaseWall>& walls) {
   using Test = CaseLaboratory::Test;
   const std::string& test = section.text("test");
-  return {test == "platen" ? Test::platen : Test::uniaxial, index_of(walls, section.text("fixed")),
-          index_of(walls, section.text("moving"))};
+  return {test == "platen"      ? Test::platen
+          : test == "brazilian" ? Test::brazilian
+                                : Test::uniaxial,
+          index_of(walls, section.text("fixed")), index_of(walls, section.text("moving"))};
 }
 
 CaseOutput output_of(const Setting& section) {

@@ -228,6 +228,9 @@ void check_rocks(const Setting& root, CaseProblems& log) {
       log.add(passing->item_marks.back(), "the largest size does not pass all; a last share of 1 is accepted");
   }
   refuse_beside(root, "rocks.fill", "ratio", "sizes", {"exponent"}, log);
+  refuse_beside(root, "rocks.fill", "sizes", "ratio", {"surface"}, log);
+  refuse_beside(root, "rocks.shapes", "files", "cylinder", {"loading_angle"}, log);
+  refuse_beside(root, "rocks.shapes", "procedural", "cylinder", {"loading_angle"}, log);
   refuse_beside(root, "rocks.shapes", "files", "procedural", {"elongation", "flatness", "angularity", "roughness"},
                 log);
   refuse_beside(root, "rocks.shapes", "procedural", "files", {"corners"}, log);
@@ -256,8 +259,8 @@ void check_laboratory(const Setting& root, CaseProblems& log) {
       log.add(name->mark, "the moving platen does not move; a wall with motion: {linear: ...} is accepted");
   }
   const Setting* test = laboratory->find("test");
-  if (test != nullptr && test->texts[0] == "uniaxial" && root.find("rocks.shapes.cylinder") == nullptr)
-    log.add(test->mark, "a uniaxial test needs a cylinder; rocks.shapes.cylinder is accepted");
+  if (test != nullptr && test->texts[0] != "platen" && root.find("rocks.shapes.cylinder") == nullptr)
+    log.add(test->mark, "a " + test->texts[0] + " test needs a cylinder; rocks.shapes.cylinder is accepted");
 }
 
 void check_run(const Setting& root, CaseProblems& log) {

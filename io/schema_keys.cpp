@@ -94,6 +94,8 @@ const std::vector<Key> rock_keys = {
     {.path = "rocks.shapes.files", .type = files, .doc = "Closed STL or OBJ meshes; their size is scaled to the size law."},
     {.path = "rocks.shapes.cylinder", .type = quantity, .range = {.low = 0.1, .high = 10},
      .doc = "Cylinders of this length / diameter, specimens of a laboratory; the axis is x, or z if shorter than 0.87 diameters."},
+    {.path = "rocks.shapes.loading_angle", .type = quantity, .dimension = Dimension::angle, .range = {.low = 0, .high = 1},
+     .doc = "With cylinder: two flats along its side that face y, each seen under this angle from the axis; without it none."},
     {.path = "rocks.shapes.elongation", .type = interval, .range = {.low = 0, .high = 1, .low_open = true},
      .doc = "With procedural: intermediate / long axis of a rock, uniform between the two; without it [0.65, 0.95]."},
     {.path = "rocks.shapes.flatness", .type = interval, .range = {.low = 0, .high = 1, .low_open = true},
@@ -134,6 +136,8 @@ const std::vector<Key> rock_keys = {
     {.path = "rocks.fill", .required = true, .one_of = "ratio|sizes", .doc = "Particles that a rock is filled with."},
     {.path = "rocks.fill.ratio", .type = quantity, .range = {.low = 2, .high = 50},
      .doc = "Equal-volume diameter of the rock / particle diameter: all particles of a rock are of one size."},
+    {.path = "rocks.fill.surface", .type = word, .words = "cut|smooth",
+     .doc = "With ratio: cut from a packing, also without the key; smooth: packed inside the (convex) shape, so that its faces bear like ground ones."},
     {.path = "rocks.fill.sizes", .type = interval, .dimension = length, .range = positive,
      .doc = "Smallest and largest particle diameter, the same for all rocks; no particle is larger than a third of its rock."},
     {.path = "rocks.fill.exponent", .type = quantity, .range = {.low = 0, .high = 5, .low_open = true},
@@ -333,8 +337,8 @@ const std::vector<Key> run_keys = {
 
     {.path = "laboratory",
      .doc = "Measures a rock that two planes press together: strength and stiffness in the summary, the curve in force_displacement.csv."},
-    {.path = "laboratory.test", .type = word, .required = true, .words = "platen|uniaxial",
-     .doc = "platen: any rock, strength 0.9 F/d^2; uniaxial: a cylinder along its axis, F/A, with a modulus."},
+    {.path = "laboratory.test", .type = word, .required = true, .words = "platen|brazilian|uniaxial",
+     .doc = "platen: any rock, strength 0.9 F/d^2; brazilian: a cylinder across its axis, 2 F/(pi D t); uniaxial: along it, F/A, with a modulus."},
     {.path = "laboratory.fixed", .type = text, .required = true, .doc = "Plane, a name of walls, that the rock is pressed against."},
     {.path = "laboratory.moving", .type = text, .required = true, .doc = "Plane with motion: linear, whose force is measured."},
 

@@ -36,7 +36,9 @@ Json laboratory_json(const std::optional<LaboratoryFigures>& l) {
   if (!l) return nullptr;
   return {{"test", l->test},
           {"size", number(l->size)},
+          {"broken_before", l->broken_before},
           {"first_break_force", number(l->first_break_force)},
+          {"middle_breaks", number(l->middle_breaks)},
           {"failure_force", number(l->failure_force)},
           {"failure_displacement", number(l->failure_displacement)},
           {"strength", number(l->strength)},

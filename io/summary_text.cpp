@@ -49,7 +49,10 @@ std::string product_lines(const Summary& s) {
 
 std::string laboratory_lines(const LaboratoryFigures& l) {
   std::string text = line("test", l.test + format(", %.4g mm between the platens at first contact", l.size * 1e3));
+  if (l.broken_before > 0) text += line("before the test", std::to_string(l.broken_before) + " bonds broke");
   if (l.first_break_force) text += line("first bond broke", format("at %.4g N", *l.first_break_force));
+  if (l.middle_breaks)
+    text += line("first breaks", format("%.0f %% of them in the middle third", 100 * *l.middle_breaks));
   if (!l.failure_force || !l.failure_displacement) return text + line("failure", "none until the end");
   text += line("failure", format("at %.4g N, %.3g mm", *l.failure_force, *l.failure_displacement * 1e3));
   if (l.strength) text += line("strength", format("%.4g MPa", *l.strength / 1e6));

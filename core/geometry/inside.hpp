@@ -20,11 +20,15 @@ class InsideTest {
   bool contains(const Vec3d& point) const;
   bool convex() const { return !planes_.empty(); }
 
- private:
+  /// The solid lies where dot(normal, x) <= offset.
   struct Plane {
     Vec3d normal;
     double offset;
   };
+  /// Of the triangles of a convex mesh with few faces; else none.
+  const std::vector<Plane>& planes() const { return planes_; }
+
+ private:
   struct Tree;
   std::vector<Plane> planes_;   ///< of a convex mesh with few faces: 50 times faster than the tree
   std::unique_ptr<Tree> tree_;  ///< of any other mesh

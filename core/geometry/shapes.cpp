@@ -12,6 +12,35 @@
 #include <numbers>
 
 namespace gyro {
+namespace {
+
+struct Corner {
+  double x, y;
+};
+
+/// A polygon of 64 sides with the section of the circle of diameter 1, less what lies beyond the two flats, which face
+/// y and are seen from the axis under the loading angle.
+std::vector<Corner> section_of(double loading_angle) {
+  constexpr int steps = 64;
+  const double radius = std::sqrt(std::numbers::pi / 2 / (steps * std::sin(2 * std::numbers::pi / steps)));
+  const double flat = loading_angle > 0 ? radius * std::cos(loading_angle / 2) : 2 * radius;
+  const auto corner = [&](int k) {
+    const double turn = 2 * std::numbers::pi * k / steps;
+    return Corner{radius * std::cos(turn), radius * std::sin(turn)};
+  };
+  std::vector<Corner> section;
+  for (int k = 0; k < steps; ++k) {
+    const Corner here = corner(k), next = corner(k + 1);
+    const bool kept = std::abs(here.y) < flat;
+    if (kept) section.push_back(here);
+    if (kept == (std::abs(next.y) < flat)) continue;
+    const double cut = std::copysign(flat, here.y), share = (cut - here.y) / (next.y - here.y);
+    section.push_back({here.x + share * (next.x - here.x), cut});
+  }
+  return section;
+}
+
+}  // namespace
 
 RockShape make_shape(const TriangleMesh& solid) {
   const MassProperties raw = mass_properties(solid);
@@ -65,15 +94,13 @@ RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const Shape
   return make_shape(roughened(centred, style.roughness, seed, number, draws));
 }
 
-RockShape cylinder_shape(double slenderness) {
-  constexpr Index sides = 64;
-  // As large a section as the circle of diameter 1.
-  const double corner = std::sqrt(std::numbers::pi / 2 / (sides * std::sin(2 * std::numbers::pi / sides)));
+RockShape cylinder_shape(double slenderness, double loading_angle) {
+  const std::vector<Corner> section = section_of(loading_angle);
+  const auto sides = static_cast<Index>(section.size());
   TriangleMesh prism{{{0, 0, 0}, {0, 0, slenderness}}, {}};
-  for (Index k = 0; k < sides; ++k) {
-    const double turn = 2 * std::numbers::pi * k / sides, x = corner * std::cos(turn), y = corner * std::sin(turn);
-    prism.vertices.push_back({x, y, 0});
-    prism.vertices.push_back({x, y, slenderness});
+  for (const Corner& c : section) {
+    prism.vertices.push_back({c.x, c.y, 0});
+    prism.vertices.push_back({c.x, c.y, slenderness});
   }
   for (Index k = 0; k < sides; ++k) {
     const Index low = 2 + 2 * k, high = low + 1, next_low = 2 + 2 * ((k + 1) % sides), next_high = next_low + 1;

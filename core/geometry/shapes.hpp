@@ -41,7 +41,8 @@ RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const Shape
 /// A cylinder, as laboratories cut them: a prism of 64 sides with the section of the circle. Its axis is x if it is
 /// longer than 0.87 diameters, else z, as principal axes go.
 /// @param slenderness length / diameter, above 0
-RockShape cylinder_shape(double slenderness);
+/// @param loading_angle under which the axis sees each of two flats along the side, 0 to 1 rad; they face y
+RockShape cylinder_shape(double slenderness, double loading_angle = 0);
 
 /// The convex polyhedron of at most so many corners (at least 4 remain) around a scan: the hull of those of its
 /// points that are outermost in evenly spread directions. The boundary of the Delaunay triangulation of

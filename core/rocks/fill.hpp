@@ -27,7 +27,11 @@ struct Filling {
 
 /// Equal spheres: diameter = equal-volume diameter of the rock / ratio.
 struct MonoFill {
+  /// cut: from a packing, as rock breaks. smooth: jammed inside the shape, which must be convex, so that all of its
+  /// faces bear, as those of ground specimens do; the diameter comes out within 1 %, below 50 particles within 2 %.
+  enum class Surface { cut, smooth };
   double ratio = 6;
+  Surface surface = Surface::cut;
 };
 
 /// Spheres of many sizes, the same for all rocks: of their volume, the share that is finer than the diameter x grows as
@@ -59,9 +63,9 @@ struct FillJob {
 /// Fills the shape with those spheres of a jammed packing, laid at a random place and turn, whose centre lies inside.
 /// So there is no thin layer at the surface, and on average as large a share of the volume as in the packing. Of
 /// sixteen cuts (four where there are thousands of spheres) the one is kept whose mass and inertia are nearest to that
-/// of the full packing in the shape; spheres not bonded to the largest piece are left out.
-/// @throws BadInput rule out of range; rock too small or too large for the range; shape so thin or gap so small that
-/// the spheres do not hold together
+/// of the full packing in the shape; spheres not bonded to the largest piece are left out. A smooth fill is not cut.
+/// @throws BadInput rule out of range; smooth shape not convex; rock too small or too large for the range; shape so
+/// thin or gap so small that the spheres do not hold together
 Filling fill(const Mould& mould, const FillRule& rule, const BondRule& bonds, const FillJob& job);
 
 /// The grading of the packing that a rock of this diameter is cut from [smallest radius], its largest radius rounded

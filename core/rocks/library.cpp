@@ -34,7 +34,7 @@ std::vector<NamedMould> make_moulds(const LibraryRecipe& recipe, std::vector<std
     return moulds;
   }
   if (const auto* cylinder = std::get_if<CylinderSpecimen>(&recipe.shapes)) {
-    moulds.push_back({"cylinder", Mould(cylinder_shape(cylinder->slenderness))});
+    moulds.push_back({"cylinder", Mould(cylinder_shape(cylinder->slenderness, cylinder->loading_angle))});
     return moulds;
   }
   const auto& files = std::get<ShapeFiles>(recipe.shapes);
@@ -151,7 +151,10 @@ RockLibrary make_library(const LibraryRecipe& recipe, const std::string& cache_f
 }
 
 double cylinder_diameter(const CylinderSpecimen& specimen, double sphere) {
-  return sphere * std::cbrt(2 / (3 * specimen.slenderness));  // pi/4 D^2 (slenderness D) = pi/6 sphere^3
+  // The flats take two segments of the circle off: section D^2/4 (pi - a + sin a), length slenderness D.
+  const double angle = specimen.loading_angle;
+  const double kept = 1 - (angle - std::sin(angle)) / std::numbers::pi;
+  return sphere * std::cbrt(2 / (3 * specimen.slenderness * kept));
 }
 
 double swell_of_crumbled(const RockLibrary& library) {

@@ -30,6 +30,7 @@ struct ShapeFiles {
 /// Cylinders of one proportion, length / diameter: specimens of laboratories.
 struct CylinderSpecimen {
   double slenderness = 2;
+  double loading_angle = 0;  ///< under which the axis sees each of two flats along the side [rad]; 0: none
 };
 
 /// Diameter of a cylinder that has the volume of a sphere [m]. @param sphere its diameter [m]

@@ -2,7 +2,6 @@
 #include "core/rocks/packing.hpp"
 
 #include "core/math/random.hpp"
-#include "core/rocks/soft_spheres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +35,26 @@ SoftSpheres random_spheres(std::vector<double> radii, double fraction, double li
     points.push_back({draw(0), draw(1), draw(2)});
   }
   return {std::move(points), std::move(radii), side, list_margin};
+}
+
+/// Random points in a vessel. One that does not find room in a thousand draws is left for the faces to push in.
+std::vector<Vec3d> points_in(const Vessel& vessel, int count, std::uint64_t seed, std::uint64_t first) {
+  constexpr std::uint32_t draws = 3000;
+  std::vector<Vec3d> points;
+  for (int i = 0; i < count; ++i) {
+    const auto draw = [&](std::uint32_t k) {
+      return vessel.reach * (2 * uniform(seed, Stream::fill, first + static_cast<std::uint64_t>(i), k) - 1);
+    };
+    Vec3d p{0, 0, 0};
+    bool inside = false;
+    for (std::uint32_t k = 0; !inside && k < draws; k += 3) {
+      p = {draw(k), draw(k + 1), draw(k + 2)};
+      inside = std::all_of(vessel.faces.begin(), vessel.faces.end(),
+                           [&](const Vessel::Face& face) { return dot(face.normal, p) <= face.offset - 1; });
+    }
+    points.push_back(p);
+  }
+  return points;
 }
 
 /// Takes the spheres as hard ones, in a cube large enough for that.
@@ -117,6 +136,18 @@ Packing jam_graded(const Grading& grading, std::uint64_t seed) {
   compress(soft);
   gather_loose(soft);
   return hardened(std::move(soft));
+}
+
+Packing jam_in(Vessel vessel, int spheres, std::uint64_t seed, std::uint64_t first) {
+  constexpr double list_margin = 0.5, loose_fraction = 0.45;
+  scale(vessel, std::cbrt(spheres * sphere_volume / loose_fraction / vessel.volume));
+  std::vector<Vec3d> points = points_in(vessel, spheres, seed, first);
+  SoftSpheres soft(std::move(points), std::vector<double>(spheres, 1.0), std::move(vessel), list_margin);
+  soft.settle(0, 3000, largest_overlap);
+  compress(soft);
+  gather_loose(soft);
+  soft.scale(soft.growth_to(largest_overlap));
+  return {soft.side(), soft.centres(), soft.radii(), soft.fraction(), soft.largest_overlap()};
 }
 
 const Packing& rock_packing(const Grading& grading) {

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/math/vec3.hpp"
+#include "core/rocks/soft_spheres.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace gyro {
 
-/// Spheres in a periodic cube [0, side)^3. The smallest has the radius 1.
+/// Spheres in a periodic cube [0, side)^3, or in a vessel of that volume. The smallest has the radius 1.
 struct Packing {
   double side = 0;
   std::vector<Vec3d> centres;
@@ -42,6 +43,12 @@ double mean_cubed_radius(const Grading& grading);
 /// the spheres still get out of each other's way; those that are left without neighbours are then drawn to the next
 /// ones by a short-ranged pull, so that all can be bonded. The cube is 5 largest diameters wide.
 Packing jam_graded(const Grading& grading, std::uint64_t seed);
+
+/// Jams equal spheres in a vessel whose origin is inside: it shrinks as long as they get out of each other's way. So
+/// its faces have a layer of spheres that touch them, like those of a specimen that is made in a mould
+/// (Potyondy & Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329, section 3.1).
+/// @param first number of the first sphere in the random stream
+Packing jam_in(Vessel vessel, int spheres, std::uint64_t seed, std::uint64_t first);
 
 /// The packing that rocks of this grading are cut from, made once per process. Safe from several threads.
 const Packing& rock_packing(const Grading& grading);

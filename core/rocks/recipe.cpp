@@ -59,6 +59,7 @@ void add(Text& text, const ShapeFiles& shapes) {
 
 void add(Text& text, const CylinderSpecimen& specimen) {
   text.number("cylinder", specimen.slenderness);
+  if (specimen.loading_angle > 0) text.number("loading angle", specimen.loading_angle);
 }
 
 void add(Text& text, const RelativeBondRadius& radius) {
@@ -74,6 +75,7 @@ void add(Text& text, const ContactAreaBond& rule) {
 
 void add(Text& text, const MonoFill& fill) {
   text.number("fill ratio", fill.ratio);
+  if (fill.surface == MonoFill::Surface::smooth) text.word("surface", "smooth");
 }
 void add(Text& text, const RangeFill& fill) {
   text.number("fill smallest", fill.smallest), text.number("largest", fill.largest);
@@ -95,6 +97,8 @@ void check_recipe(const LibraryRecipe& recipe) {
   } else if (const auto* cylinder = std::get_if<CylinderSpecimen>(&recipe.shapes)) {
     if (!(cylinder->slenderness >= 0.1 && cylinder->slenderness <= 10))
       throw BadInput("rocks.shapes.cylinder must be 0.1 to 10");
+    if (!(cylinder->loading_angle >= 0 && cylinder->loading_angle <= 1))
+      throw BadInput("rocks.shapes.loading_angle must be 0 to 1 rad");
   } else {
     const auto& files = std::get<ShapeFiles>(recipe.shapes);
     if (files.paths.empty()) throw BadInput("rocks.shapes: the list of files is empty; accepted are STL and OBJ files");

@@ -44,6 +44,12 @@ class CellGrid {
 
 }  // namespace
 
+void scale(Vessel& vessel, double factor) {
+  for (Vessel::Face& face : vessel.faces) face.offset *= factor;
+  vessel.volume *= factor * factor * factor;
+  vessel.reach *= factor;
+}
+
 Vec3d nearest_image(const Vec3d& d, double side) {
   const auto wrap = [side](double x) { return x - side * std::nearbyint(x / side); };
   return {wrap(d.x), wrap(d.y), wrap(d.z)};
@@ -57,6 +63,12 @@ SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, 
       x_(std::move(centres)),
       v_(x_.size(), Vec3d{0, 0, 0}),
       force_(x_.size()) {}
+
+// With a period of four reaches no sphere meets an image of another one.
+SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_margin)
+    : SoftSpheres(std::move(centres), std::move(radii), 4 * vessel.reach, list_margin) {
+  vessel_ = std::move(vessel);
+}
 
 bool SoftSpheres::settle(double force_tolerance, int most_steps, double overlap_limit) {
   dt_ = 0.1, mixing_ = 0.1, downhill_ = 0;
@@ -95,6 +107,7 @@ void SoftSpheres::move() {
 
 void SoftSpheres::scale(double factor) {
   side_ *= factor;
+  gyro::scale(vessel_, factor);
   for (Vec3d& x : x_) x = factor * x;
 }
 
@@ -116,7 +129,22 @@ void SoftSpheres::find_pairs() {
     for (std::size_t coarser = level[i] + 1; coarser < levels.size(); ++coarser)
       levels[coarser].look(x_[i], [&](Index j) { add_if_close(j, i); });
   }
+  find_touches();
   listed_ = x_;
+}
+
+void SoftSpheres::find_touches() {
+  touches_.clear();
+  for (Index i = 0; i < static_cast<Index>(x_.size()); ++i) {
+    for (std::size_t k = 0; k < vessel_.faces.size(); ++k)
+      if (depth({i, k}) > -margin_) touches_.push_back({i, k});
+  }
+}
+
+/// How far a sphere reaches through a face.
+double SoftSpheres::depth(const Touch& touch) const {
+  const Vessel::Face& face = vessel_.faces[touch.face];
+  return dot(face.normal, x_[touch.i]) + radii_[touch.i] - face.offset;
 }
 
 void SoftSpheres::add_if_close(Index j, Index i) {
@@ -144,6 +172,10 @@ void SoftSpheres::update_forces() {
     const Vec3d f = (2 * radii_[i] * radii_[j] / sum * push / r) * d;
     force_[i] += f, force_[j] -= f;
   }
+  for (const Touch& touch : touches_) {
+    const double overlap = depth(touch);
+    if (overlap > 0) force_[touch.i] -= (2 * radii_[touch.i] * overlap) * vessel_.faces[touch.face].normal;
+  }
 }
 
 double SoftSpheres::largest_force() const {
@@ -158,6 +190,7 @@ double SoftSpheres::largest_overlap() const {
     const double r = norm(nearest_image(x_[i] - x_[j], side_));
     largest = std::max(largest, (radii_[i] + radii_[j] - r) / std::min(radii_[i], radii_[j]));
   }
+  for (const Touch& touch : touches_) largest = std::max(largest, depth(touch) / radii_[touch.i]);
   return largest;
 }
 
@@ -167,13 +200,22 @@ double SoftSpheres::growth_to(double overlap) const {
     const double allowed = radii_[i] + radii_[j] - overlap * std::min(radii_[i], radii_[j]);
     growth = std::max(growth, allowed / norm(nearest_image(x_[i] - x_[j], side_)));
   }
+  for (const Touch& touch : touches_) {
+    const Vessel::Face& face = vessel_.faces[touch.face];
+    growth = std::max(growth, radii_[touch.i] * (1 - overlap) / (face.offset - dot(face.normal, x_[touch.i])));
+  }
   return growth;
 }
 
 double SoftSpheres::fraction() const {
   double sum = 0;
   for (const double r : radii_) sum += r * r * r;
-  return 4 * std::numbers::pi / 3 * sum / (side_ * side_ * side_);
+  const double cube = side();
+  return 4 * std::numbers::pi / 3 * sum / (cube * cube * cube);
+}
+
+double SoftSpheres::side() const {
+  return vessel_.faces.empty() ? side_ : std::cbrt(vessel_.volume);
 }
 
 }  // namespace gyro

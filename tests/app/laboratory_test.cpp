@@ -25,7 +25,7 @@ Compression test_of(Test test, double stiffness, double failure) {
     const double time = 1e-4 * k, pressed = std::max(0.0, 0.1 * (time - 0.01));
     if (!broken && stiffness * pressed > failure) {
       broken = true;
-      c.first_break_time = time;
+      c.breaks.push_back({time, 0});
     }
     c.time.push_back(time);
     c.force.push_back(stiffness * pressed * (broken ? 0.3 : 1));
@@ -62,26 +62,49 @@ TEST_CASE("The strength of a lump goes by the distance of the platens") {
 
 TEST_CASE("The force of the first break is read from the curve") {
   Compression c = test_of(Test::platen, 1e6, 2000);
-  c.first_break_time = 0.0199;  // 0.99 mm after contact
+  c.breaks = {{0.0199, 0}};  // 0.99 mm after contact
   CHECK(*evaluate(c).figures.first_break_force == Approx(990).epsilon(1e-3));
+}
+
+TEST_CASE("What breaks before the moving platen presses is no first break") {
+  Compression c = test_of(Test::platen, 1e6, 2000);
+  c.breaks = {{0.002, -0.5}, {0.004, -0.5}, {0.0199, 0}};  // it fell onto the lower platen
+  const LaboratoryFigures f = evaluate(c).figures;
+  CHECK(f.broken_before == 2);
+  CHECK(*f.first_break_force == Approx(990).epsilon(1e-3));
+  c.breaks.pop_back();
+  CHECK_FALSE(evaluate(c).figures.first_break_force);
+  CHECK_FALSE(evaluate(c).figures.failure_force);
+}
+
+TEST_CASE("A Brazilian disc gives 2 F/(pi D t), and the share of its first breaks in the middle third") {
+  Compression c = test_of(Test::brazilian, 1e6, 2000);
+  c.length = 0.025;
+  for (int k = 0; k < 30; ++k) c.breaks.push_back({0.04, k < 5 ? 0.16 : -0.17});
+  const LaboratoryFigures f = evaluate(c).figures;
+  CHECK(f.test == "brazilian");
+  CHECK(*f.strength == Approx(2 * *f.failure_force / (std::numbers::pi * 0.05 * 0.025)));
+  CHECK(*f.middle_breaks == Approx(6.0 / 20));  // the first break of all is in the middle
+  CHECK_FALSE(f.modulus);
+  CHECK_FALSE(evaluate(test_of(Test::platen, 1e6, 2000)).figures.middle_breaks);
 }
 
 TEST_CASE("A cylinder fails at its largest force, if the force falls by 30 % from there after a break") {
   Compression c = test_of(Test::uniaxial, 1e6, 2000);
   for (std::size_t k = 150; k < 160; ++k) c.force[k] *= 0.2;  // the ends are crushed until they bear
-  c.first_break_time = 0.015;
+  c.breaks = {{0.015, 0}};
   CHECK(*evaluate(c).figures.failure_force == Approx(2000).epsilon(0.006));
   for (std::size_t k = 299; k < 600; ++k) c.force[k] = 1500;
   CHECK_FALSE(evaluate(c).figures.failure_force);  // it still bears 3/4
   for (std::size_t k = 550; k < 600; ++k) c.force[k] = 1300;
   CHECK(*evaluate(c).figures.failure_force == Approx(2000).epsilon(0.006));
-  c.first_break_time.reset();
+  c.breaks.clear();
   CHECK_FALSE(evaluate(c).figures.failure_force);  // no bond has broken: it bounced
 }
 
 TEST_CASE("A rock pressed from two sides has failed when it splits, whatever its force did before") {
   Compression c = test_of(Test::platen, 1e6, 1e9);
-  c.first_break_time = 0.015;
+  c.breaks = {{0.015, 0}};
   for (std::size_t k = 300; k < 310; ++k) c.force[k] *= 0.1;  // a corner comes off
   for (std::size_t k = 300; k < 600; ++k) c.largest_fragment[k] = 0.27;
   CHECK_FALSE(evaluate(c).figures.failure_force);

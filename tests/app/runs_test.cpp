@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace {
 
@@ -148,6 +149,30 @@ TEST_CASE("A rock between plates breaks, and its energies close within half a pe
   CHECK(fragments.front() == 1);
   CHECK(fragments.back() > 3);
   for (const std::string& name : results_in(run, "series")) CHECK(name.find("motor") == std::string::npos);
+}
+
+TEST_CASE("A Brazilian disc splits: curve, forces and strength are in the summary") {
+  const Workplace place;
+  const std::string coarse = " --set rocks.fill.ratio=6 --set bonds.strength_scatter=null --set output.snapshots=0";
+  const fs::path run = done(place, "'" GYRO_CASES "/laboratory/brazilian.yaml'" + coarse, "r");
+  const json test = summary_of(run)["laboratory"];
+  INFO(test.dump(1));
+  REQUIRE(test["failure_force"].is_number());
+  CHECK(test["test"] == "brazilian");
+  CHECK(test["broken_before"] == 0);
+  CHECK(test["first_break_force"] > 0);
+  CHECK(test["first_break_force"] <= test["failure_force"]);
+  CHECK(test["strength"] ==
+        Approx(2 * test["failure_force"].get<double>() / (3.14159265 * 0.05 * 0.025)).epsilon(0.01));
+  CHECK(test["middle_breaks"].is_number());
+  std::istringstream curve(read_text(run / "force_displacement.csv"));
+  std::string line;
+  std::getline(curve, line);
+  CHECK(line == "displacement_m,force_N");
+  double largest = 0;
+  while (std::getline(curve, line)) largest = std::max(largest, std::stod(line.substr(line.find(',') + 1)));
+  CHECK(largest >= 0.999 * test["failure_force"].get<double>());
+  CHECK(read_text(run / "log.txt").find("-0 N") == std::string::npos);
 }
 
 TEST_CASE("The quickstart starts well: energies within 2 %, no particle lost, nothing stopped") {

@@ -54,6 +54,39 @@ TEST_CASE("Particle counts by fill ratio") {
   }
 }
 
+TEST_CASE("A smooth fill touches the faces of its shape and crosses none") {
+  const double ratio = GENERATE(6.0, 8.0);
+  const double slenderness = 2, loading_angle = GENERATE(0.0, 0.5);
+  const Mould mould(cylinder_shape(slenderness, loading_angle));
+  const Filling f =
+      fill(mould, MonoFill{ratio, MonoFill::Surface::smooth}, {0.05, RelativeBondRadius{0.5}}, {1, 42, 0});
+  const double r = f.radii[0], end = bounding_box(mould.shape.surface).high.x;
+  CHECK(std::cbrt(6 / std::numbers::pi) / (2 * r) == Approx(ratio).epsilon(0.01));
+  int at_end = 0;
+  for (const Vec3d& p : f.centres) {
+    for (const InsideTest::Plane& plane : mould.inside.planes())
+      CHECK(dot(plane.normal, p) <= plane.offset - 0.99 * r);  // overlaps of at most 1 %
+    at_end += p.x > end - 1.05 * r ? 1 : 0;
+  }
+  // A dense layer of discs covers 0.8 of the end face.
+  const double face = 1 / (2 * end);
+  CAPTURE(ratio, at_end, f.centres.size());
+  CHECK(at_end > 0.4 * face / (std::numbers::pi * r * r));
+  CHECK(sphere_volume(f.radii) > 0.5);
+}
+
+TEST_CASE("A smooth fill is another one with another seed, and needs a convex shape") {
+  const Mould mould(cylinder_shape(0.5));
+  const MonoFill smooth{5, MonoFill::Surface::smooth};
+  const Filling a = fill(mould, smooth, {}, {1, 1, 0}), same = fill(mould, smooth, {}, {1, 1, 0});
+  CHECK(norm(a.centres[0] - same.centres[0]) == 0);
+  CHECK(norm(a.centres[0] - fill(mould, smooth, {}, {1, 2, 0}).centres[0]) > 0);
+  ShapeStyle rough;
+  rough.roughness = 0.1;
+  const Mould stone(procedural_shape(1, 0, rough));
+  CHECK_THROWS_WITH(fill(stone, smooth, {}, {1, 1, 0}), Catch::Matchers::Contains("convex"));
+}
+
 TEST_CASE("A rock larger than the packing is tiled from it, without overlaps at the seams") {
   const Mould mould(procedural_shape(1, 0));
   const Filling f = fill(mould, MonoFill{22}, {0.05, RelativeBondRadius{0.5}}, {1, 42, 0});

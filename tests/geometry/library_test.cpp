@@ -189,6 +189,7 @@ TEST_CASE("Recipes out of range are refused") {
   refused([](LibraryRecipe& r) { r.shapes = ProceduralShapes{0}; });
   refused([](LibraryRecipe& r) { r.shapes = ShapeFiles{}; });
   refused([](LibraryRecipe& r) { r.shapes = ShapeFiles{{"/nowhere/rock.stl"}}; });
+  refused([](LibraryRecipe& r) { r.shapes = CylinderSpecimen{2, 1.5}; });
   refused([](LibraryRecipe& r) { r.fill = MonoFill{1}; });
   refused([](LibraryRecipe& r) { r.rock_density = 0; });
   refused([](LibraryRecipe& r) { r.sizes = PassingTable{}; });

@@ -173,6 +173,24 @@ TEST_CASE("A cylinder has its proportions and lies along its principal axes") {
   CHECK(rock.inertia.z == Approx(slenderness > 1 ? across : about_axis).epsilon(2e-3));
 }
 
+TEST_CASE("A flattened disc has two flats that face y, as wide as the loading angle says") {
+  const double angle = 0.5, slenderness = 0.5;
+  const RockShape rock = cylinder_shape(slenderness, angle);
+  CHECK(check_edges(rock.surface).is_solid());
+  CHECK(mass_properties(rock.surface).volume == Approx(1).epsilon(1e-12));
+  const double kept = 1 - (angle - std::sin(angle)) / 3.14159265358979;  // of the circle's area
+  const double diameter = std::cbrt(4 / (3.14159265358979 * slenderness * kept));
+  const Box box = bounding_box(rock.surface);
+  const Vec3d size = box.high - box.low;
+  CHECK(size.x == Approx(diameter).epsilon(2e-3));  // 64 sides for a circle
+  CHECK(size.y == Approx(diameter * std::cos(angle / 2)).epsilon(2e-3));
+  CHECK(size.z == Approx(slenderness * diameter).epsilon(2e-3));
+  double width = 0;
+  for (const Vec3d& v : rock.surface.vertices)
+    if (v.y > box.high.y - 1e-9) width = std::max(width, 2 * std::abs(v.x));
+  CHECK(width == Approx(diameter * std::sin(angle / 2)).epsilon(0.03));  // the circle's sagitta, 1/800, over tan(a/2)
+}
+
 TEST_CASE("A coarse polyhedron stands for a scan") {
   TriangleMesh scan = ellipsoid(1, 0.8, 0.6, 3000);
   const TriangleMesh coarse = coarse_polyhedron(scan, 60), fine = coarse_polyhedron(scan, 5000);
