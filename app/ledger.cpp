@@ -64,6 +64,10 @@ std::string Ledger::passed_limit() const {
   return why.str();
 }
 
+std::string stopped_at(double time, const std::string& why) {
+  return "stopped at t = " + std::to_string(time) + " s: " + why;
+}
+
 std::optional<std::string> Ledger::verdict(double time) const {
   std::ostringstream why;
   why.precision(4);
@@ -79,7 +83,7 @@ std::optional<std::string> Ledger::verdict(double time) const {
         << " % of the " << (little ? "largest energy seen" : "work done") << "; at most "
         << 100 * limits_.energy_fraction << " %";
   }
-  return "stopped at t = " + std::to_string(time) + " s: " + why.str();
+  return stopped_at(time, why.str());
 }
 
 void Ledger::save(SavedState& to) const {

@@ -29,6 +29,9 @@ struct MassCount {
   std::int64_t residual() const { return fed - discharged - inside; }
 };
 
+/// How a verdict begins.
+std::string stopped_at(double time, const std::string& why);
+
 /// The running balance of a run: energy, particles, and what the guard looks at.
 class Ledger {
  public:

@@ -41,7 +41,8 @@ Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_
     : input_(input),
       assembly_(assembly),
       dem_(std::move(dem)),
-      ledger_(ledger_limits(assembly.scene), wall_names(assembly.scene)) {
+      ledger_(ledger_limits(assembly.scene), wall_names(assembly.scene)),
+      sheets_(assembly.scene) {
   make_parts();
   blaming("particles", [&] { put_in(assembly.start); });
   for (const double mass : dem_->particles().mass) start_mass_ += mass;
@@ -54,7 +55,8 @@ Simulation::Simulation(const Case& input, const Assembly& assembly, std::unique_
     : input_(input),
       assembly_(assembly),
       dem_(std::move(dem)),
-      ledger_(ledger_limits(assembly.scene), wall_names(assembly.scene)) {
+      ledger_(ledger_limits(assembly.scene), wall_names(assembly.scene)),
+      sheets_(assembly.scene) {
   make_parts();
   restore(saved);
 }
@@ -153,6 +155,8 @@ void Simulation::feed_rock() {
 
 void Simulation::inspect() {
   const ParticleSnapshot particles = dem_->particles();
+  if (!verdict_)
+    if (const auto through = sheets_.find(particles, dem_->wall_poses())) verdict_ = stopped_at(time(), *through);
   const FragmentTable table = fragment_table(particles);
   fragments_ = static_cast<std::int64_t>(table.size());
   largest_fragment_ = 0;

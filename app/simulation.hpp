@@ -4,6 +4,7 @@
 #include "app/assembly.hpp"
 #include "app/ledger.hpp"
 #include "app/momentum_balance.hpp"
+#include "app/sheet_check.hpp"
 #include "core/feed/feed.hpp"
 #include "core/fragments/hold_up.hpp"
 #include "mbd/drivetrain.hpp"
@@ -41,7 +42,8 @@ class Simulation {
   /// @throws StoppedByGuard with the verdict, if there is one
   void require_sound() const;
 
-  /// Looks at the fragments: counts what has passed the discharge plane, takes out what has left.
+  /// Looks at the fragments: counts what has passed the discharge plane, takes out what has left. Particles that touch
+  /// through a sheet are a verdict.
   /// Called once per row of the series.
   void inspect();
 
@@ -92,6 +94,7 @@ class Simulation {
   std::optional<HoldUp> hold_up_;
   Ledger ledger_;
   MomentumBalance momentum_;
+  SheetCheck sheets_;
   std::optional<std::string> verdict_;
   std::int64_t step_ = 0;
   std::int64_t particles_put_in_ = 0, bonds_put_in_ = 0, fragments_ = 0;
