@@ -173,6 +173,7 @@ class Run {
     log_.warning("the drivetrain is native code of " + fmu.file.string() + " (" + fmu.model_name +
                  (fmu.generation_tool.empty() ? "" : ", " + fmu.generation_tool) +
                  "), which runs with the rights of this program");
+    if (fmu.needs_tool) log_.warning(fmu.file.filename().string() + " says that it needs another program beside it");
     if (const std::string reason = simulation_.unsaveable(); !reason.empty())
       log_.warning("this run has no checkpoints: " + reason + "; --resume starts it anew");
   }

@@ -23,7 +23,10 @@ void connect(const Setting& drive, const ModelDescription& model, FmuLinks& link
     const FmuQuantityInfo& info = info_of(quantity);
     const std::string name(info.name);
     const Setting* said = drive.find("map." + name);
-    if (said == nullptr && !info.required && model.find(name) == nullptr) continue;
+    const FmuVariable* same_name = model.find(name);
+    const bool no_such =
+        same_name == nullptr || (type_of(quantity) == VariableType::boolean && same_name->type != "Boolean");
+    if (said == nullptr && !info.required && no_such) continue;
     at(said != nullptr ? said->mark : drive.find("fmu")->mark, problems,
        [&] { links[k] = link_to(model, quantity, said != nullptr ? said->texts.at(0) : name); });
   }
@@ -42,8 +45,8 @@ void read_drive_fmu(const Setting& root, CaseTables& tables, CaseProblems& probl
     const ModelDescription model = read_fmu(file.texts.at(0));
     CaseFmu fmu;
     static_cast<DriveFmu&>(fmu) = {
-        file.texts[0],       model.model_name, model.generation_tool, model.guid, model.identifier,
-        model.variable_step, model.state,      model.serialisation,   {},         {}};
+        file.texts[0], model.model_name,    model.generation_tool, model.guid, model.identifier,  model.variable_step,
+        model.state,   model.serialisation, model.needs_tool,      {},         history_of(model), {}};
     connect(drive, model, fmu.links, problems);
     if (const Setting* parameters = drive.find("parameters"))
       for (const Setting& p : parameters->children)

@@ -220,6 +220,7 @@ const std::vector<Key> drive_keys = {
     {.path = "drivetrain.map.motor_work", .type = text, .doc = "Output: integral of motor_power. With loss_work and kinetic_energy the exchange is judged."},
     {.path = "drivetrain.map.loss_work", .type = text, .doc = "Output: work of the losses since the start."},
     {.path = "drivetrain.map.kinetic_energy", .type = text, .doc = "Output: kinetic energy, and that of springs."},
+    {.path = "drivetrain.map.tripped", .type = text, .doc = "Output, true or false: the motor is switched off. Trips and restarts are told."},
     {.path = "drivetrain.parameters", .type = values, .when = "fmu",
      .doc = "Values of the FMU's parameters by their names, in its units, set before the start; the others keep what the FMU says."},
     {.path = "drivetrain.bushing_depth", .type = quantity, .dimension = length, .range = positive, .when = "fmu",

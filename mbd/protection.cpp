@@ -34,6 +34,8 @@ std::string to_string(DriveEventKind kind) {
       return "reversed restart";
     case DriveEventKind::held:
       return "held at rest";
+    case DriveEventKind::trip:
+      return "trip";
   }
   return "unknown";
 }

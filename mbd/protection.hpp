@@ -37,7 +37,8 @@ enum class DriveEventKind {
   under_speed_trip,    ///< motor off: too slow for too long
   restart,             ///< motor on again, same sense
   reversed_restart,    ///< motor on again, other sense
-  held                 ///< at rest between rock and motor, after the rock had turned it back
+  held,                ///< at rest between rock and motor, after the rock had turned it back
+  trip                 ///< motor off, for a reason that a foreign drive does not say
 };
 
 struct DriveEvent {

@@ -29,6 +29,7 @@ constexpr std::array<FmuQuantityInfo, fmu_quantities> quantities{{
     {"motor_work", energy},
     {"loss_work", energy},
     {"kinetic_energy", energy},
+    {"tripped", {}},
 }};
 
 /// Units that need no definition to be understood.
@@ -43,10 +44,12 @@ std::string list_of(const std::vector<std::string_view>& names) {
 }
 
 /// Names of variables that could stand for a name that is not there.
-std::vector<std::string_view> names_of(const ModelDescription& model, std::string_view causality, bool real_only) {
+/// @param type  empty: any
+std::vector<std::string_view> names_of(const ModelDescription& model, std::string_view causality,
+                                       std::string_view type) {
   std::vector<std::string_view> names;
   for (const FmuVariable& v : model.variables)
-    if (v.causality == causality && (!real_only || v.type == "Real")) names.push_back(v.name);
+    if (v.causality == causality && (type.empty() || v.type == type)) names.push_back(v.name);
   return names;
 }
 
@@ -81,18 +84,21 @@ FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string
   const FmuQuantityInfo& info = info_of(quantity);
   const bool input = is_input(quantity), turned = wanted.starts_with('-') && model.find(wanted) == nullptr;
   if (turned) wanted.erase(0, 1);
-  const std::vector<std::string_view> names = names_of(model, input ? "input" : "output", true);
-  const std::string kind = input ? "input" : "output",
-                    accepted = "; real " + kind + "s of the FMU are " + list_of(names);
+  const bool real = type_of(quantity) == VariableType::real;
+  const std::string_view type = real ? "Real" : "Boolean";
+  const std::vector<std::string_view> names = names_of(model, input ? "input" : "output", type);
+  const std::string kind = std::string(real ? "real " : "boolean ") + (input ? "input" : "output"),
+                    accepted = kind + "s of the FMU are " + list_of(names);
   const FmuVariable* variable = model.find(wanted);
   if (variable == nullptr)
     throw BadInput("the FMU has no variable \"" + wanted + "\" for " + std::string(info.name) + "; " +
-                   hint(wanted, names) + "real " + kind + "s of the FMU are " + list_of(names));
+                   hint(wanted, names) + accepted);
   const bool readable = variable->causality == "output" || variable->causality == "local";
-  if (variable->type != "Real" || !(input ? variable->causality == "input" : readable))
-    throw BadInput("the FMU's variable \"" + wanted + "\" is no real " + kind + " (" + variable->type + ", " +
-                   variable->causality + ")" + accepted);
+  if (variable->type != type || !(input ? variable->causality == "input" : readable))
+    throw BadInput("the FMU's variable \"" + wanted + "\" is no " + kind + " (" + variable->type + ", " +
+                   variable->causality + "); " + accepted);
   FmuLink link{variable->reference};
+  if (!real) return link;
   take_unit(link, *variable, info);
   if (turned) {
     link.factor = -link.factor;
@@ -101,8 +107,26 @@ FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string
   return link;
 }
 
+std::optional<FmuHistory> history_of(const ModelDescription& model) {
+  const auto output = [&](const std::string& name, std::string_view type) {
+    const FmuVariable* variable = model.find(name);
+    return variable != nullptr && variable->causality == "output" && variable->type == type ? variable : nullptr;
+  };
+  const FmuVariable* events = output("events", "Integer");
+  if (events == nullptr) return std::nullopt;
+  FmuHistory history{events->reference, {}, {}};
+  for (int k = 1;; ++k) {
+    const std::string place = std::to_string(k) + ']';
+    const FmuVariable *time = output("event_time[" + place, "Real"), *what = output("event_kind[" + place, "Integer");
+    if (time == nullptr || what == nullptr) break;
+    history.times.push_back(time->reference);
+    history.kinds.push_back(what->reference);
+  }
+  return history.times.empty() ? std::nullopt : std::optional(std::move(history));
+}
+
 FmuStart start_of(const ModelDescription& model, const std::string& name, double value) {
-  const std::vector<std::string_view> names = names_of(model, "parameter", false);
+  const std::vector<std::string_view> names = names_of(model, "parameter", "");
   const FmuVariable* variable = model.find(name);
   if (variable == nullptr || variable->causality != "parameter")
     throw BadInput("the FMU has no parameter \"" + name + "\"; " + hint(name, names) + "parameters of the FMU are " +

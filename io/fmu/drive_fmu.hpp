@@ -15,8 +15,9 @@ namespace gyro {
 struct DriveFmu {
   std::filesystem::path file;  ///< absolute
   std::string model_name, generation_tool, guid, identifier;
-  bool variable_step = false, state = false, serialisation = false;
+  bool variable_step = false, state = false, serialisation = false, needs_tool = false;
   FmuLinks links{};
+  std::optional<FmuHistory> history;
   std::vector<FmuStart> starts;
 };
 
@@ -35,6 +36,9 @@ ModelDescription read_fmu(const std::filesystem::path& file);
 /// The variable of an FMU for a quantity. @param wanted  its name; with a minus in front its sign is turned
 /// @throws BadInput when it is not there (and says which are), is no Real of the right causality or has another unit
 FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string wanted);
+
+/// Where an exported drivetrain remembers its events: variables events, event_time[1], event_kind[1] and so on.
+std::optional<FmuHistory> history_of(const ModelDescription& model);
 
 /// A parameter and the value that it is to have. @throws BadInput when it is not there or does not take the value
 FmuStart start_of(const ModelDescription& model, const std::string& name, double value);

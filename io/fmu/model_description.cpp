@@ -90,10 +90,9 @@ ModelDescription read_model_description(const std::string& xml) {
   if (version != "2.0") refuse("is of FMI " + (version.empty() ? "without version" : version) + "; 2.0 is accepted");
   const pugi::xml_node slave = root.child("CoSimulation");
   if (!slave) refuse("has no CoSimulation (model exchange only); co-simulation is accepted");
-  if (slave.attribute("needsExecutionTool").as_bool())
-    refuse("says that the FMU needs another program to run; one that runs by itself is accepted");
 
   ModelDescription out;
+  out.needs_tool = slave.attribute("needsExecutionTool").as_bool();
   out.model_name = needed(root, "modelName");
   out.guid = needed(root, "guid");
   out.generation_tool = text_of(root, "generationTool");

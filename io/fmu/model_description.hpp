@@ -32,6 +32,7 @@ struct FmuVariable {
 struct ModelDescription {
   std::string model_name, guid, identifier, generation_tool;
   bool variable_step = false, state = false, serialisation = false;  ///< capability flags of CoSimulation
+  bool needs_tool = false;                                           ///< says that it needs another program to run
   std::vector<FmuVariable> variables;
 
   const FmuVariable* find(std::string_view name) const;

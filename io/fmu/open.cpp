@@ -61,6 +61,7 @@ std::unique_ptr<Drive> open_drive(const DriveFmu& fmu) {
                                                .state = fmu.state,
                                                .serialisation = fmu.serialisation,
                                                .links = fmu.links,
+                                               .history = fmu.history,
                                                .starts = fmu.starts,
                                                .files = folder});
   } catch (const BadInput& problem) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mbd/fmi/drive_slave.hpp"
 
+#include <algorithm>
+
 namespace gyro {
 
 DriveSlave::DriveSlave(const DrivetrainParameters& parameters)
@@ -8,6 +10,7 @@ DriveSlave::DriveSlave(const DrivetrainParameters& parameters)
   initialise(0);
   add_inputs();
   add_outputs();
+  add_event_outputs();
 }
 
 void DriveSlave::add_inputs() {
@@ -55,12 +58,41 @@ void DriveSlave::add_outputs() {
       "loss_work", "J", [this] { return state_.loss_work; }, "in bearings, gear, coupling and brake since the start");
   add(
       "kinetic_energy", "J", [this] { return shaft_->energy(state_.motion); }, "and of the coupling spring");
+}
+
+void DriveSlave::add_event_outputs() {
+  const auto add = [&](const std::string& name, VariableType type, auto get, const char* description) {
+    variables_.push_back({name, type, Causality::output, type == VariableType::real ? "s" : "", description, get, {}});
+  };
   add(
-      "stalled", "", [this] { return state_.stalls > 0 ? 1.0 : 0.0; }, "has come to a halt against its motor",
-      VariableType::boolean);
+      "stalled", VariableType::boolean, [this] { return state_.stalls > 0 ? 1.0 : 0.0; },
+      "has come to a halt against its motor");
   add(
-      "events", "", [this] { return static_cast<double>(state_.events); }, "stalls, trips and restarts so far",
-      VariableType::integer);
+      "tripped", VariableType::boolean, [this] { return state_.motion.motor.sense == 0 ? 1.0 : 0.0; },
+      "a relay has switched the motor off");
+  add(
+      "events", VariableType::integer, [this] { return static_cast<double>(state_.events); },
+      "stalls, trips and restarts so far");
+  for (std::size_t k = 0; k < SlaveState::told_events; ++k) {
+    const std::string place = std::to_string(k + 1) + ']';
+    add(
+        "event_time[" + place, VariableType::real, [this, k] { return state_.event_time[k]; },
+        "when it happened; [1] is the latest");
+    add(
+        "event_kind[" + place, VariableType::integer, [this, k] { return state_.event_kind[k]; },
+        "0 none, 1 stall, 2 turned back, 3 standstill, 4 overload trip, 5 instantaneous trip, 6 under-speed trip, "
+        "7 restart, 8 reversed restart, 9 held");
+  }
+}
+
+void DriveSlave::keep(const DriveEvent& event) {
+  SlaveState& s = state_;
+  std::shift_right(s.event_time.begin(), s.event_time.end(), 1);
+  std::shift_right(s.event_kind.begin(), s.event_kind.end(), 1);
+  s.event_time[0] = event.time;
+  s.event_kind[0] = static_cast<double>(event.kind);
+  s.stalls += event.kind == DriveEventKind::stall;
+  ++s.events;
 }
 
 void DriveSlave::initialise(double time) {
@@ -83,8 +115,7 @@ std::vector<DriveEvent> DriveSlave::step(double time, double duration) {
   s.motor_impulse += turn.motor_impulse;
   s.motor_work += turn.motor_work;
   s.loss_work += turn.loss_work;
-  s.events += static_cast<int>(turn.events.size());
-  for (const DriveEvent& event : turn.events) s.stalls += event.kind == DriveEventKind::stall;
+  for (const DriveEvent& event : turn.events) keep(event);
   return std::move(turn.events);
 }
 

@@ -4,6 +4,7 @@
 #include "mbd/fmi/drive_variable.hpp"
 #include "mbd/shaft.hpp"
 
+#include <array>
 #include <optional>
 
 namespace gyro {
@@ -17,6 +18,8 @@ struct SlaveState {
   double motor_angle = 0, motor_impulse = 0, motor_work = 0, loss_work = 0;  ///< since the start [rad], [N m s], [J]
   double begin = 0;                                                          ///< of the run [s]
   int stalls = 0, events = 0;
+  static constexpr std::size_t told_events = 8;
+  std::array<double, told_events> event_time{}, event_kind{};  ///< the last ones, the latest first [s]
 };
 
 /// Calls f with each number of a state.
@@ -29,6 +32,8 @@ void for_each_number(State& s, F&& f) {
   f(s.load.rock_torque), f(s.load.spin_torque), f(s.load.bearings.bushing), f(s.load.bearings.spider);
   f(s.angle), f(s.spin_angle), f(s.motor_angle), f(s.motor_impulse), f(s.motor_work), f(s.loss_work);
   f(s.begin), f(s.stalls), f(s.events);
+  for (auto& time : s.event_time) f(time);
+  for (auto& kind : s.event_kind) f(kind);
 }
 
 /// The drivetrain as a co-simulation slave: told a load, it goes on by a step. Without accounts of the exchange, which
@@ -59,6 +64,8 @@ class DriveSlave {
  private:
   void add_inputs();
   void add_outputs();
+  void add_event_outputs();
+  void keep(const DriveEvent& event);
   double motor_torque() const { return shaft_->motor_torque_now(state_.motion, state_.load); }
 
   DrivetrainParameters parameters_;

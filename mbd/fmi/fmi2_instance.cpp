@@ -12,7 +12,7 @@
 namespace gyro {
 namespace {
 
-constexpr char state_magic[8] = {'G', 'Y', 'R', 'O', 'F', 'M', 'U', '1'};
+constexpr char state_magic[8] = {'G', 'Y', 'R', 'O', 'F', 'M', 'U', '2'};
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';

@@ -3,10 +3,12 @@
 
 #include "core/base/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -67,6 +69,9 @@ FmuDrive::FmuDrive(FmuSetup setup)
     throw BadInput("says that its state can be saved, but has no function for it");
   if (setup_.serialisation && !library_.has_serialisation())
     throw BadInput("says that its state can be serialised, but has no function for it");
+  if ((setup_.history && library_.get_integer == nullptr) ||
+      (linked(FmuQuantity::tripped) && library_.get_boolean == nullptr))
+    throw BadInput("has whole numbers or truth values for the master, but no function that gives them");
   callbacks_ = {&Messages::take, &std::calloc, &std::free, nullptr, messages_.get()};
   component_ = library_.instantiate(setup_.name.c_str(), fmi2CoSimulation, setup_.guid.c_str(),
                                     setup_.resources.c_str(), &callbacks_, fmi2False, fmi2False);
@@ -96,6 +101,7 @@ void FmuDrive::initialise() {
   initialised_ = true;
   try {
     values_ = read();
+    if (setup_.history) events_told_ = static_cast<int>(get(setup_.history->events, VariableType::integer));
   } catch (const StoppedByGuard& failure) {
     throw BadInput(failure.what());
   }
@@ -137,16 +143,23 @@ FmuDrive::Values FmuDrive::read() {
   for (std::size_t k = 0; k < fmu_quantities; ++k) {
     if (!setup_.links[k] || is_input(static_cast<FmuQuantity>(k))) continue;
     const FmuLink& link = *setup_.links[k];
-    double value = 0;
-    const fmi2Status status = library_.get_real(component_, &link.reference, 1, &value);
-    fatal_ = fatal_ || status == fmi2Fatal;
-    if (!fine(status))
-      throw StoppedByGuard("the drivetrain FMU " + setup_.name + " failed: " + complaint(status, "fmi2GetReal"));
-    if (!std::isfinite(value))
-      throw StoppedByGuard("the drivetrain FMU " + setup_.name + " gives a value that is not finite");
-    values[k] = link.factor * value + link.offset;
+    values[k] = link.factor * get(link.reference, type_of(static_cast<FmuQuantity>(k))) + link.offset;
   }
   return values;
+}
+
+double FmuDrive::get(fmi2ValueReference reference, VariableType type) {
+  double value = 0;
+  int whole = 0;
+  const fmi2Status status = type == VariableType::real      ? library_.get_real(component_, &reference, 1, &value)
+                            : type == VariableType::integer ? library_.get_integer(component_, &reference, 1, &whole)
+                                                            : library_.get_boolean(component_, &reference, 1, &whole);
+  fatal_ = fatal_ || status == fmi2Fatal;
+  if (!fine(status))
+    throw StoppedByGuard("the drivetrain FMU " + setup_.name + " failed: " + complaint(status, "reading a value"));
+  if (!std::isfinite(value))
+    throw StoppedByGuard("the drivetrain FMU " + setup_.name + " gives a value that is not finite");
+  return type == VariableType::real ? value : whole;
 }
 
 void FmuDrive::step(double time, double duration, const ShaftLoad& load, bool final) {
@@ -209,19 +222,43 @@ ShaftTurn FmuDrive::turn(double duration, const ShaftLoad& load, ShaftMotion& mo
   step(motion.time, duration, load, true);
   const Values after = read();
   ShaftTurn turn = gains(values_, after, duration);
-  values_ = after;
+  const Values before = std::exchange(values_, after);
   last_acceleration_ = turn.speed_change / duration;
-  const double before = motion.speed;
   motion.speed = now(FmuQuantity::eccentric_speed);
   motion.direction = sign(motion.speed);
   motion.spin = now(FmuQuantity::mantle_spin);
   motion.time += duration;
-  if (before > 0 && motion.speed <= 0) {
-    const bool driven = !linked(FmuQuantity::motor_torque) || now(FmuQuantity::motor_torque) > 0;
+  if (before[static_cast<std::size_t>(FmuQuantity::eccentric_speed)] > 0 && motion.speed <= 0)
     turn.stopped_after = duration;
-    turn.events.push_back({motion.time, driven ? DriveEventKind::stall : DriveEventKind::standstill});
-  }
+  if (setup_.history)
+    tell_history(turn.events);
+  else
+    tell_changes(before, motion, turn.events);
   return turn;
+}
+
+void FmuDrive::tell_history(std::vector<DriveEvent>& events) {
+  const FmuHistory& history = *setup_.history;
+  const int count = static_cast<int>(get(history.events, VariableType::integer)), fresh = count - events_told_;
+  events_told_ = count;
+  const int remembered = std::min(fresh, static_cast<int>(history.times.size()));
+  if (remembered < fresh)
+    messages_->notes.push_back(std::to_string(fresh) + " events in one step, of which it remembers the last " +
+                               std::to_string(remembered));
+  for (int k = remembered - 1; k >= 0; --k) {
+    const auto place = static_cast<std::size_t>(k);
+    const int kind = static_cast<int>(get(history.kinds[place], VariableType::integer));
+    events.push_back({get(history.times[place], VariableType::real), static_cast<DriveEventKind>(kind)});
+  }
+}
+
+void FmuDrive::tell_changes(const Values& before, const ShaftMotion& motion, std::vector<DriveEvent>& events) const {
+  const bool off = now(FmuQuantity::tripped) != 0,
+             was_off = before[static_cast<std::size_t>(FmuQuantity::tripped)] != 0;
+  if (off != was_off) events.push_back({motion.time, off ? DriveEventKind::trip : DriveEventKind::restart});
+  if (!(before[static_cast<std::size_t>(FmuQuantity::eccentric_speed)] > 0 && motion.speed <= 0)) return;
+  const bool driven = !off && (!linked(FmuQuantity::motor_torque) || now(FmuQuantity::motor_torque) > 0);
+  events.push_back({motion.time, driven ? DriveEventKind::stall : DriveEventKind::standstill});
 }
 
 std::string FmuDrive::unsaveable() const {
@@ -253,6 +290,7 @@ void FmuDrive::restore(std::span<const std::uint8_t> bytes) {
   must(library_.deserialise(component_, reinterpret_cast<const fmi2Byte*>(bytes.data()), bytes.size(), &saved_));
   must(library_.set_state(component_, saved_));
   values_ = read();
+  if (setup_.history) events_told_ = static_cast<int>(get(setup_.history->events, VariableType::integer));
 }
 
 std::vector<std::string> FmuDrive::take_notes() {

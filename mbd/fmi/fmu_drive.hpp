@@ -29,6 +29,7 @@ enum class FmuQuantity {
   motor_work,
   loss_work,
   kinetic_energy,
+  tripped,  ///< 0 or 1
   count
 };
 constexpr auto fmu_quantities = static_cast<std::size_t>(FmuQuantity::count);
@@ -36,10 +37,21 @@ constexpr bool is_input(FmuQuantity quantity) {
   return quantity < FmuQuantity::eccentric_speed;
 }
 
+constexpr VariableType type_of(FmuQuantity quantity) {
+  return quantity == FmuQuantity::tripped ? VariableType::boolean : VariableType::real;
+}
+
 /// A variable of an FMU: SI value = factor x its value + offset.
 struct FmuLink {
   fmi2ValueReference reference = 0;
   double factor = 1, offset = 0;
+};
+
+/// The events that an exported drivetrain remembers: how many so far, and of the last ones time and DriveEventKind,
+/// the latest first.
+struct FmuHistory {
+  fmi2ValueReference events = 0;
+  std::vector<fmi2ValueReference> times, kinds;
 };
 using FmuLinks = std::array<std::optional<FmuLink>, fmu_quantities>;
 
@@ -59,6 +71,7 @@ struct FmuSetup {
   std::string name, guid, resources;  ///< resources: URI of the folder
   bool state = false, serialisation = false;
   FmuLinks links{};
+  std::optional<FmuHistory> history;
   std::vector<FmuStart> starts;
   std::shared_ptr<const void> files;  ///< keeps the unpacked files there
 };
@@ -67,8 +80,9 @@ struct FmuSetup {
 ///
 /// preview() takes a step and sets the slave back, where it can save its state; otherwise the speed's last change is
 /// carried on. Quantities that it does not give are means of speeds and torques at both ends of a window; what cannot
-/// be had so is not known (knows()). A halt of its forward motion counts as a stall unless its motor's torque is
-/// known not to be forward.
+/// be had so is not known (knows()). What happened is read from its history, where it has one. Otherwise a change of
+/// `tripped` is a trip or a restart at the end of the step, and a halt of its forward motion a stall, unless its
+/// motor's torque is known not to be forward.
 class FmuDrive : public Drive {
  public:
   /// Loads and initialises it. @throws BadInput when that fails
@@ -102,6 +116,9 @@ class FmuDrive : public Drive {
   void initialise();
   void set_start(const FmuStart& start);
   Values read();
+  double get(fmi2ValueReference reference, VariableType type);
+  void tell_history(std::vector<DriveEvent>& events);
+  void tell_changes(const Values& before, const ShaftMotion& motion, std::vector<DriveEvent>& events) const;
   void step(double time, double duration, const ShaftLoad& load, bool final);
   ShaftTurn gains(const Values& before, const Values& after, double duration) const;
   void check(fmi2Status status, const char* function, double time);
@@ -117,6 +134,7 @@ class FmuDrive : public Drive {
   mutable fmi2FMUstate saved_ = nullptr;  ///< of the slave's making, used again and again
   Values values_{};                       ///< at the end of the last turn
   double last_acceleration_ = 0;          ///< over the last turn [rad/s2]
+  int events_told_ = 0;
   ShaftMotion start_;
   double start_angle_ = 0;
 };

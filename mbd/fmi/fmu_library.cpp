@@ -13,7 +13,13 @@ FmuLibrary::FmuLibrary(const std::filesystem::path& file) {
   void* const opened = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (opened == nullptr) {
     const char* reason = dlerror();
-    throw BadInput("its library cannot be loaded: " + std::string(reason != nullptr ? reason : "unknown reason"));
+    const std::string text = reason != nullptr ? reason : "unknown reason";
+    // Some are made for a host that brings an interpreter along.
+    const bool lacks = text.find("undefined symbol") != std::string::npos;
+    throw BadInput(
+        "its library cannot be loaded: " + text +
+        (lacks ? ", which another library has; LD_PRELOAD= that one before the command (a PythonFMU needs libpython3)"
+               : ""));
   }
   handle = std::shared_ptr<void>(opened, [](void* library) { dlclose(library); });
   const auto find = [&](auto*& function, const char* name) {
@@ -36,6 +42,8 @@ FmuLibrary::FmuLibrary(const std::filesystem::path& file) {
   const auto find_if_there = [&](auto*& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(opened, name));
   };
+  find_if_there(get_integer, "fmi2GetInteger");
+  find_if_there(get_boolean, "fmi2GetBoolean");
   find_if_there(get_state, "fmi2GetFMUstate");
   find_if_there(set_state, "fmi2SetFMUstate");
   find_if_there(free_state, "fmi2FreeFMUstate");

@@ -27,6 +27,8 @@ struct FmuLibrary {
   fmi2SetBooleanTYPE* set_boolean;
   fmi2DoStepTYPE* do_step;
   // Null where there is none:
+  fmi2GetIntegerTYPE* get_integer;
+  fmi2GetBooleanTYPE* get_boolean;
   fmi2GetFMUstateTYPE* get_state;
   fmi2SetFMUstateTYPE* set_state;
   fmi2FreeFMUstateTYPE* free_state;

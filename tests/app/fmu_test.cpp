@@ -74,14 +74,42 @@ TEST_CASE("A run with the exported FMU has the numbers of the built-in drivetrai
   CHECK(read_text(place.path() / "again.fmu") == read_text(place.path() / "drive.fmu"));
 }
 
+TEST_CASE("A relay of the exported FMU trips as that of the built-in drivetrain, and the summary says so") {
+  const Workplace place;
+  const std::string relay =
+      "--set drivetrain.inertia.eccentric='0.01 kg m2' --set 'drivetrain.protection={instantaneous_ratio: 0.2, "
+      "rated_torque: 0.1 N m, brake_torque: 25 N m}' ";
+  REQUIRE(place.gyrosim("export fmu " + crush_case + relay + "--out drive.fmu").code == 0);
+  const std::string fmu = with_drive("fmu: \"" + (place.path() / "drive.fmu").string() + "\"");
+  REQUIRE(place.gyrosim(crush + relay + "--until '40 ms' --out built-in").code == 0);
+  REQUIRE(place.gyrosim(crush + fmu + "--until '19 ms' --out fmu").code == 0);
+  const Outcome rest = place.gyrosim(crush + fmu + "--until '40 ms' --out fmu --resume");
+  INFO(rest.err);
+  REQUIRE(rest.code == 0);
+  require_close(place.path() / "built-in", place.path() / "fmu", 1e-9);
+  const nlohmann::json ours = summary_of(place.path() / "built-in"), theirs = summary_of(place.path() / "fmu");
+  REQUIRE(ours["drive_events"].size() == 2);
+  CHECK(ours["drive_events"][0]["event"] == "instantaneous trip");
+  CHECK(ours["drive_events"][1]["event"] == "standstill");
+  REQUIRE(theirs["drive_events"].size() == 2);
+  for (const std::size_t k : {0, 1}) {
+    CHECK(theirs["drive_events"][k]["event"] == ours["drive_events"][k]["event"]);
+    CHECK(theirs["drive_events"][k]["time"].get<double>() ==
+          Approx(ours["drive_events"][k]["time"].get<double>()).epsilon(1e-9));
+  }
+  CHECK(theirs["stalled"] == ours["stalled"]);
+}
+
 TEST_CASE("A foreign FMU turns the crusher, without checkpoints when it cannot save itself") {
   const Workplace place;
-  write_foreign_fmu(place.path() / "foreign.fmu");
+  write_foreign_fmu(place.path() / "foreign.fmu",
+                    replaced(foreign_description(), "canHandle", "needsExecutionTool=\"true\" canHandle"));
   const Outcome run = place.gyrosim(crush + with_foreign(place) + "--until '5 ms' --out r");
   INFO(run.err);
   REQUIRE(run.code == 0);
   CHECK(run.err.find("native code") != std::string::npos);
   CHECK_THAT(read_text(place.path() / "r/log.txt"), Contains("native code") && Contains("another program") &&
+                                                        Contains("foreign.fmu says that it needs another program") &&
                                                         Contains("this run has no checkpoints") &&
                                                         Contains("canGetAndSetFMUstate is false"));
   CHECK(!fs::exists(place.path() / "r/checkpoint.h5"));

@@ -43,8 +43,15 @@ DriveFmu exported(const DrivetrainParameters& parameters, const std::filesystem:
   export_drive({.drive = parameters, .title = "A <machine> & \"more\"", .tool = "test", .library = GYRO_DRIVETRAIN_FMU},
                file);
   const ModelDescription model = read_fmu(file);
-  DriveFmu fmu{file,        model.model_name,    "", model.guid, model.identifier, model.variable_step,
-               model.state, model.serialisation, {}, {}};
+  DriveFmu fmu;
+  fmu.file = file;
+  fmu.model_name = model.model_name;
+  fmu.guid = model.guid;
+  fmu.identifier = model.identifier;
+  fmu.variable_step = model.variable_step;
+  fmu.state = model.state;
+  fmu.serialisation = model.serialisation;
+  fmu.history = history_of(model);
   for (std::size_t k = 0; k < fmu_quantities; ++k) {
     const std::string name(info_of(static_cast<FmuQuantity>(k)).name);
     if (model.find(name)) fmu.links[k] = link_to(model, static_cast<FmuQuantity>(k), name);
@@ -129,6 +136,33 @@ TEST_CASE("Relays of an exported machine act and are told of") {
   const std::vector<std::string> notes = foreign.take_notes();
   REQUIRE(notes.size() == static_cast<std::size_t>(built_in.state().events));
   CHECK_THAT(notes.front(), Contains("FMU drive.fmu: " + to_string(built_in.events().front().kind)));
+  const std::vector<DriveEvent> ours = built_in.events(), told = foreign.events();
+  REQUIRE(told.size() == ours.size());
+  for (std::size_t k = 0; k < ours.size(); ++k) {
+    CHECK(told[k].kind == ours[k].kind);
+    CHECK(told[k].time == Approx(ours[k].time).epsilon(1e-9));
+  }
+  CHECK(foreign.stall_time().has_value() == built_in.stall_time().has_value());
+}
+
+TEST_CASE("More events in one step than an exported machine remembers are counted") {
+  const ScratchDirectory place;
+  DrivetrainParameters machine = crusher_62_75(paper_droop());
+  machine.protection = {.instantaneous_ratio = 0.05, .rated_torque = 1e4, .restart_delay = 1e-3, .restarts = 20};
+  const auto drive = open_drive(exported(machine, place.path() / "drive.fmu"));
+  ShaftMotion motion = drive->start();
+  const ShaftTurn turn = drive->turn(2, {.rock_torque = 2e4}, motion);
+  Shaft built_in(machine);
+  ShaftMotion same = built_in.start();
+  const ShaftTurn all = built_in.turn(2, {.rock_torque = 2e4}, same);
+  REQUIRE(all.events.size() > 20);
+  REQUIRE(turn.events.size() == 8);
+  CHECK(turn.events.back().kind == all.events.back().kind);
+  CHECK(turn.events.back().time == Approx(all.events.back().time).epsilon(1e-9));
+  bool said = false;
+  for (const std::string& note : drive->take_notes())
+    said = said || note.find(std::to_string(all.events.size()) + " events in one step") != std::string::npos;
+  CHECK(said);
 }
 
 TEST_CASE("An FMU goes on from its saved state in a new instance with the same bits") {

@@ -30,6 +30,8 @@ inline std::string foreign_description() {
     <ScalarVariable name="blind_at" valueReference="5" causality="parameter"><Real start="1e9"/></ScalarVariable>
     <ScalarVariable name="sacks" valueReference="6" causality="parameter"><Integer start="1"/></ScalarVariable>
     <ScalarVariable name="weight" valueReference="7" causality="output"><Real unit="kg"/></ScalarVariable>
+    <ScalarVariable name="trip_at" valueReference="9" causality="parameter"><Real start="1e9"/></ScalarVariable>
+    <ScalarVariable name="off" valueReference="10" causality="output"><Boolean/></ScalarVariable>
     <ScalarVariable name="odd" valueReference="8" causality="output"><Real unit="furlong"/></ScalarVariable>
   </ModelVariables>
 </fmiModelDescription>
@@ -43,8 +45,9 @@ inline std::string replaced(std::string text, const std::string& part, const std
 
 /// Packs the foreign FMU.
 inline void write_foreign_fmu(const std::filesystem::path& file, const std::string& description = foreign_description(),
-                              const std::string& library = "binaries/linux64/flywheel.so") {
-  std::ifstream stream(GYRO_FOREIGN_FMU, std::ios::binary);
+                              const std::string& library = "binaries/linux64/flywheel.so",
+                              const char* binary = GYRO_FOREIGN_FMU) {
+  std::ifstream stream(binary, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(stream), {}};
   write_archive(file, {{"modelDescription.xml", description}, {library, content}});
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A drivetrain FMU as another program would make it: names of its own, speed in rpm, explicit Euler, no saved state.
-//   J dw/dt = stall_torque (1 - w / w0) - T_load
+//   J dw/dt = stall_torque (1 - w / w0) - T_load, without the motor from trip_at on
 #include "mbd/fmi/fmi2.hpp"
 
 #include <cmath>
@@ -8,11 +8,11 @@
 
 namespace {
 
-enum Reference : unsigned { load, speed, torque, inertia, fail_at, blind_at, references };
+enum Reference : unsigned { load, speed, torque, inertia, fail_at, blind_at, trip_at = 9, off, references };
 constexpr double rpm = 0.10471975511965977, idle = 452.5 * rpm, stall_torque = 23.4375;
 
 struct Instance {
-  double values[references] = {0, idle / rpm, 0, 0.174, 1e9, 1e9};
+  double values[references] = {0, idle / rpm, 0, 0.174, 1e9, 1e9, 0, 0, 0, 1e9, 0};
   fmi2CallbackFunctions callbacks{};
 };
 
@@ -62,6 +62,11 @@ fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference refs[],
   for (std::size_t k = 0; k < count; ++k) values[k] = of(component).values[refs[k]];
   return fmi2OK;
 }
+fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference refs[], std::size_t count,
+                          fmi2Boolean values[]) {
+  for (std::size_t k = 0; k < count; ++k) values[k] = of(component).values[refs[k]] != 0;
+  return fmi2OK;
+}
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference refs[], std::size_t count,
                        const fmi2Real values[]) {
   for (std::size_t k = 0; k < count; ++k) of(component).values[refs[k]] = values[k];
@@ -84,7 +89,8 @@ fmi2Status fmi2DoStep(fmi2Component component, fmi2Real time, fmi2Real step, fmi
     return fmi2Error;
   }
   for (int k = 0; k < parts; ++k) {
-    v[torque] = stall_torque * (1 - v[speed] * rpm / idle);
+    v[off] = time + k * step / parts >= v[trip_at];
+    v[torque] = v[off] != 0 ? 0 : stall_torque * (1 - v[speed] * rpm / idle);
     v[speed] += step / parts * (v[torque] - v[load]) / v[inertia] / rpm;
   }
   if (time + step > v[blind_at]) v[speed] = std::nan("");

@@ -18,7 +18,12 @@ using Catch::Matchers::Contains;
 DriveFmu foreign(const std::filesystem::path& file) {
   write_foreign_fmu(file);
   const ModelDescription model = read_fmu(file);
-  DriveFmu fmu{file, model.model_name, "", model.guid, model.identifier, model.variable_step, false, false, {}, {}};
+  DriveFmu fmu;
+  fmu.file = file;
+  fmu.model_name = model.model_name;
+  fmu.guid = model.guid;
+  fmu.identifier = model.identifier;
+  fmu.variable_step = model.variable_step;
   const auto connect = [&](FmuQuantity quantity, const char* name) {
     fmu.links[static_cast<std::size_t>(quantity)] = link_to(model, quantity, name);
   };
@@ -92,4 +97,39 @@ TEST_CASE("What goes wrong in a foreign drivetrain stops the run with its own wo
   fmu.guid = "another";
   CHECK_THROWS_WITH(run(), Contains("cannot be instantiated: the GUID is another"));
   CHECK_THROWS_AS(run(), BadInput);
+}
+
+TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
+  const ScratchDirectory place;
+  DriveFmu fmu = foreign(place.path() / "foreign.fmu");
+  const ModelDescription model = read_fmu(fmu.file);
+  CHECK(!history_of(model));
+  CHECK_THROWS_WITH(link_to(model, FmuQuantity::tripped, "tau"),
+                    Contains("\"tau\" is no boolean output (Real, output); boolean outputs of the FMU are off"));
+  fmu.links[static_cast<std::size_t>(FmuQuantity::tripped)] = link_to(model, FmuQuantity::tripped, "off");
+  fmu.starts = {start_of(model, "trip_at", 0.0101)};
+  const auto drive = open_drive(fmu);
+  ShaftMotion motion = drive->start();
+  std::vector<DriveEvent> events;
+  const auto go_on = [&](double torque) {
+    for (const DriveEvent& event : drive->turn(1e-3, {.rock_torque = torque}, motion).events) events.push_back(event);
+  };
+  for (int k = 0; k < 20; ++k) go_on(1);
+  REQUIRE(events.size() == 1);
+  CHECK(events[0].kind == DriveEventKind::trip);
+  CHECK(to_string(events[0].kind) == "trip");
+  CHECK(events[0].time == Approx(0.011));  // at the end of its step
+  while (motion.speed > 0) go_on(500);
+  REQUIRE(events.size() == 2);
+  CHECK(events[1].kind == DriveEventKind::standstill);  // no stall: its motor is off
+}
+
+TEST_CASE("A library that leaves its symbols to the host is refused with a way out") {
+  const ScratchDirectory place;
+  const auto file = place.path() / "foreign.fmu";
+  write_foreign_fmu(file, foreign_description(), "binaries/linux64/flywheel.so", GYRO_ORPHAN_FMU);
+  DriveFmu fmu;
+  fmu.file = file;
+  fmu.identifier = "flywheel";
+  CHECK_THROWS_WITH(open_drive(fmu), Contains("undefined symbol") && Contains("LD_PRELOAD"));
 }

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A library that expects its host to bring a function along, as those do that embed an interpreter.
+
+extern "C" {
+const char* nobody_has_this();
+
+const char* fmi2GetVersion() {
+  return nobody_has_this();
+}
+}
