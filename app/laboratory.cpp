@@ -14,10 +14,10 @@ namespace {
 
 using Test = CaseLaboratory::Test;
 
-constexpr double fallen = 0.7;           // of the largest force: a cylinder has failed
-constexpr double split = 2.0 / 3;        // of the mass: a rock whose largest fragment is smaller has split
-constexpr double contact_share = 0.005;  // of the failure force: the platen has met the rock
-constexpr double secant_from = 0.2, secant_to = 0.6;
+constexpr double fallen = 0.7;                      // of the largest force: a cylinder has failed
+constexpr double split = 2.0 / 3;                   // of the mass: a rock whose largest fragment is smaller has split
+constexpr double contact_share = 0.005;             // of the failure force: the platen has met the rock
+constexpr double slope_from = 0.2, slope_to = 0.6;  // of the failure force
 
 constexpr std::size_t first_breaks = 20;  // they show where a disc begins to fail
 
@@ -30,13 +30,11 @@ struct Peak {
   bool failed = false;
 };
 
-/// Number of breaks before the moving platen bears a force.
+/// Number of breaks before the test begins.
 std::size_t breaks_before(const Compression& c) {
-  std::size_t row = 0, count = 0;
-  while (row < c.force.size() && !(c.force[row] > 0)) ++row;
-  const double begin = row == 0 ? 0 : c.time[row - 1];
-  while (count < c.breaks.size() && c.breaks[count].time < begin) ++count;
-  return count;
+  const auto first =
+      std::find_if(c.breaks.begin(), c.breaks.end(), [&](const Compression::Break& b) { return b.time >= c.begin; });
+  return static_cast<std::size_t>(first - c.breaks.begin());
 }
 
 bool cracked(const Compression& c, std::size_t row) {
@@ -101,14 +99,32 @@ double strength_of(const Compression& c, double force, double size) {
   return 0.9 * force / (size * size);
 }
 
+/// Slope of the regression line of force on displacement, from where the curve first reaches one force to where it
+/// first reaches the other: waves that run through the rock since the platens met it level out.
+std::optional<double> slope_between(const std::vector<CurvePoint>& curve, double low, double high) {
+  const double from = displacement_at(curve, low), to = displacement_at(curve, high);
+  std::vector<CurvePoint> used{{from, low}};
+  for (const CurvePoint& p : curve)
+    if (p.displacement > from && p.displacement < to) used.push_back(p);
+  used.push_back({to, high});
+  CurvePoint mean{0, 0};
+  for (const CurvePoint& p : used) mean.displacement += p.displacement, mean.force += p.force;
+  mean.displacement /= static_cast<double>(used.size()), mean.force /= static_cast<double>(used.size());
+  double along = 0, across = 0;
+  for (const CurvePoint& p : used) {
+    const double d = p.displacement - mean.displacement;
+    along += d * d, across += d * (p.force - mean.force);
+  }
+  return along > 0 ? std::optional(across / along) : std::nullopt;
+}
+
 /// Figures that need a failure at this force.
 void add_failure(LaboratoryFigures& f, const Compression& c, const std::vector<CurvePoint>& curve, double force) {
   f.failure_force = force;
   f.failure_displacement = displacement_at(curve, force);
   f.strength = strength_of(c, force, f.size);
-  const double from = displacement_at(curve, secant_from * force), to = displacement_at(curve, secant_to * force);
-  if (!(to > from)) return;
-  f.stiffness = (secant_to - secant_from) * force / (to - from);
+  f.stiffness = slope_between(curve, slope_from * force, slope_to * force);
+  if (!f.stiffness) return;
   if (c.test == Test::uniaxial) f.modulus = *f.stiffness * c.length * 4 / (std::numbers::pi * c.diameter * c.diameter);
 }
 
@@ -119,6 +135,16 @@ const PlaneShape& plane_of(const Assembly& assembly, Index wall) {
 Vec3d velocity_of(const Assembly& assembly, Index wall) {
   const auto* linear = std::get_if<LinearMotion>(&assembly.scene.walls[static_cast<std::size_t>(wall)].motion);
   return linear ? linear->velocity : Vec3d{0, 0, 0};
+}
+
+/// Force with which a platen presses, by series row.
+std::vector<double> pressing_force(const hdf5::File& file, const Case& input, Index wall, const Vec3d& normal) {
+  const std::vector<double> forces =
+      file.dataset("/series/wall_force_" + input.walls[static_cast<std::size_t>(wall)].name).read();
+  std::vector<double> pressing;
+  for (std::size_t k = 0; k + 2 < forces.size(); k += 3)
+    pressing.push_back(0.0 - dot(Vec3d{forces[k], forces[k + 1], forces[k + 2]}, normal));  // never -0
+  return pressing;
 }
 
 }  // namespace
@@ -160,10 +186,11 @@ Compression measured_compression(const Case& input, const Assembly& assembly, co
   const hdf5::File file = hdf5::File::open(results);
   c.time = file.dataset("/series/time").read();
   c.largest_fragment = file.dataset("/series/largest_fragment").read();
-  const std::vector<double> forces =
-      file.dataset("/series/wall_force_" + input.walls[static_cast<std::size_t>(laboratory.moving)].name).read();
-  for (std::size_t k = 0; k < c.time.size(); ++k)
-    c.force.push_back(0.0 - dot(Vec3d{forces[3 * k], forces[3 * k + 1], forces[3 * k + 2]}, moving.normal));  // not -0
+  const std::vector<double> moving_force = pressing_force(file, input, laboratory.moving, moving.normal);
+  const std::vector<double> fixed_force = pressing_force(file, input, laboratory.fixed, fixed.normal);
+  for (std::size_t k = 0; k < c.time.size(); ++k) c.force.push_back((moving_force[k] + fixed_force[k]) / 2);
+  const auto pressed = std::find_if(moving_force.begin(), moving_force.end(), [](double f) { return f > 0; });
+  if (pressed > moving_force.begin()) c.begin = c.time[static_cast<std::size_t>(pressed - moving_force.begin()) - 1];
   const std::vector<double> times = file.dataset("/breakage/time").read(),
                             places = file.dataset("/breakage/position").read();
   for (std::size_t k = 0; k < times.size(); ++k) {

@@ -17,7 +17,8 @@ struct Compression {
     double place;  ///< between the platens: -0.5 at the fixed one, 0.5 at the moving one
   };
   CaseLaboratory::Test test = CaseLaboratory::Test::platen;
-  std::vector<double> time, force;       ///< of the moving platen [s], [N]
+  std::vector<double> time, force;       ///< mean of both platens, so that inertia cancels [s], [N]
+  double begin = 0;                      ///< the moving platen bears nothing until then [s]
   std::vector<double> largest_fragment;  ///< mass [kg]
   std::vector<Break> breaks;             ///< of bonds, in the order of time
   double gap = 0;                        ///< between the platens at t = 0 [m]

@@ -341,7 +341,7 @@ const std::vector<Key> run_keys = {
     {.path = "laboratory.test", .type = word, .required = true, .words = "platen|brazilian|uniaxial",
      .doc = "platen: any rock, strength 0.9 F/d^2; brazilian: a cylinder across its axis, 2 F/(pi D t); uniaxial: along it, F/A, with a modulus."},
     {.path = "laboratory.fixed", .type = text, .required = true, .doc = "Plane, a name of walls, that the rock is pressed against."},
-    {.path = "laboratory.moving", .type = text, .required = true, .doc = "Plane with motion: linear, whose force is measured."},
+    {.path = "laboratory.moving", .type = text, .required = true, .doc = "Plane with motion: linear; the mean force of both is measured."},
 
     {.path = "output", .defaulted = true, .doc = "What is written, and how often."},
     {.path = "output.series", .type = quantity, .dimension = Dimension::time, .fallback = "1 ms", .range = positive,

@@ -38,12 +38,12 @@ struct LaboratoryFigures {
   std::string test;                                 ///< platen, brazilian, uniaxial
   double size = 0;                                  ///< distance of the platens at first contact [m]
   int broken_before = 0;                            ///< bonds that broke before the moving platen pressed
-  std::optional<double> first_break_force = {};     ///< on the moving platen when it broke the first bond [N]
+  std::optional<double> first_break_force = {};     ///< on the platens when they broke the first bond [N]
   std::optional<double> middle_breaks = {};         ///< share of the first breaks in the middle third between platens
   std::optional<double> failure_force = {};         ///< largest force until failure [N]; none: held to the end
   std::optional<double> failure_displacement = {};  ///< of the platens since first contact [m]
   std::optional<double> strength = {};              ///< [Pa]
-  std::optional<double> stiffness = {};             ///< secant between 20 and 60 % of the failure force [N/m]
+  std::optional<double> stiffness = {};             ///< slope between 20 and 60 % of the failure force [N/m]
   std::optional<double> modulus = {};               ///< uniaxial: stiffness x length / area [Pa]
 };
 
