@@ -46,6 +46,7 @@ FIGURES = [("first_break_force", "first break", "N", 1), ("failure_force", "fail
 STRENGTHS = ("bonds.tensile_strength", "bonds.shear_strength")
 STIFFNESSES = ("bonds.normal_stiffness", "bonds.shear_stiffness", "bonds.modulus", "materials.rock.shear_modulus")
 PLATES = "materials.steel.shear_modulus"
+DURATION = "time.duration"
 
 
 def parse_arguments():
@@ -85,11 +86,12 @@ def run(arguments, case, seed, settings):
     return figures
 
 
-def measure(arguments, cases, settings, most_seeds=None):
-    """Figures of each case for all seeds."""
+def measure(arguments, cases, settings, most_seeds=None, durations=None):
+    """Figures of each case for all seeds; `durations` by case, in s, where they are not the case's own."""
     seeds = min(arguments.seeds, most_seeds or arguments.seeds)
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        runs = {case: [pool.submit(run, arguments, case, seed, settings) for seed in range(1, seeds + 1)]
+        own = {case: settings + ([f"time.duration={durations[case]:.4g}"] if durations else []) for case in cases}
+        runs = {case: [pool.submit(run, arguments, case, seed, own[case]) for seed in range(1, seeds + 1)]
                 for case in cases}
         return {case: [r.result() for r in of_case] for case, of_case in runs.items()}
 
@@ -146,13 +148,14 @@ def numbers_of(arguments, case):
             continue
         path = path[:(len(line) - len(line.lstrip())) // 2] + [key]
         name = ".".join(path)
-        if name in STRENGTHS + STIFFNESSES + (PLATES,):
+        if name in STRENGTHS + STIFFNESSES + (PLATES, DURATION):
             found[name] = float(value)
     return found
 
 
 def settings_of(numbers, strength, stiffness):
-    return {key: value * (strength if key in STRENGTHS else stiffness) for key, value in numbers.items()}
+    return {key: value * (strength if key in STRENGTHS else stiffness) for key, value in numbers.items()
+            if key != DURATION}
 
 
 def wanted_strengths(arguments):
@@ -175,10 +178,12 @@ def fit(arguments):
     uniaxial = CASES / "uniaxial.yaml"
     cases = {case for case, _, _ in wanted} | ({uniaxial} if arguments.modulus else set())
     numbers = numbers_of(arguments, wanted[0][0])
+    ends = {case: numbers_of(arguments, case)[DURATION] for case in cases}
     strength = Unknown()
     for round_number in range(1, arguments.rounds + 1):
         overrides = arguments.set + [f"{key}={numbers[key] * strength.factor:.6g}" for key in STRENGTHS]
-        runs = measure(arguments, cases, overrides)
+        durations = {case: end * max(1, strength.factor) for case, end in ends.items()}  # stronger rock fails later
+        runs = measure(arguments, cases, overrides, durations=durations)
         scale = arguments.modulus * 1e9 / mean_of(runs, uniaxial, "modulus") if arguments.modulus else 1.0
         print(f"round {round_number}: strengths of the case x {strength.factor:.4g}, then all stresses x {scale:.4g}")
         logarithms = []
@@ -193,7 +198,7 @@ def fit(arguments):
             for setting in found:
                 if not setting.startswith(PLATES):
                     print(f"  --set {setting}", flush=True)
-            for case, of_case in measure(arguments, sorted(cases), arguments.set + found, most_seeds=2).items():
+            for case, of_case in measure(arguments, sorted(cases), arguments.set + found, 2, durations).items():
                 print_figures(case, of_case)
             return
         strength.learn(ratio)
