@@ -7,6 +7,8 @@
 
 namespace gyro::verify {
 
+/// Outflow of silos.
+void silo(Recorder& out);
 /// Heaps that a lifted cylinder leaves.
 void repose(Recorder& out);
 

@@ -184,7 +184,7 @@ void momenta(Recorder& out) {
                {1e-12, 1e-6}, "closed system");
 }
 
-const std::array<Case, 8> cases{{
+const std::array<Case, 9> cases{{
     {"generic/free-fall", free_fall},
     {"generic/drift", drift},
     {"generic/turned-scene", turned_scene},
@@ -192,6 +192,7 @@ const std::array<Case, 8> cases{{
     {"generic/permutation", permutation},
     {"generic/time-reversal", time_reversal},
     {"generic/momenta", momenta},
+    {"generic/silo", silo, Case::Precisions::one, Case::When::nightly},
     {"generic/repose", repose, Case::Precisions::one, Case::When::nightly},
 }};
 
