@@ -69,6 +69,35 @@ void set_meshes(Assembly& out, double closed_side_setting) {
   out.notes.push_back(note);
 }
 
+/// A crusher is of use only if its mantle moves.
+void check_crusher(const Case& input, const Assembly& out) {
+  if (!input.crusher) return;
+  if (out.gyrating == none)
+    throw BadKey("crusher",
+                 "the case has a crusher but no wall that gyrates; walls.mantle with motion: gyration is "
+                 "accepted, or crusher.profile");
+  if (!input.drivetrain && !input.drivetrain_fmu)
+    throw BadKey("crusher",
+                 "nothing turns the eccentric; a drivetrain is needed, whose motor may have the model "
+                 "constant_speed");
+}
+
+/// Says what is not a whole number of windows: a run looks at itself at the ends of windows only.
+void note_windows(Assembly& out, const Case& input) {
+  const auto note = [&](const char* key, double time) {
+    const double windows = time / input.coupling_interval;
+    if (std::abs(windows - std::round(windows)) < 1e-6 * windows) return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "%s of %g s is not a whole number of coupling intervals of %g s: taken at the end "
+                  "of the interval in which it lies",
+                  key, time, input.coupling_interval);
+    out.notes.push_back(text);
+  };
+  note("time.duration", input.time.duration);
+  note("output.series", input.output.series);
+}
+
 LibraryRecipe recipe_of(const Case& input, const Scene& scene) {
   const CaseRocks& rocks = *input.rocks;
   LibraryRecipe recipe;
@@ -182,6 +211,7 @@ Assembly assemble(const Case& input) {
     throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; vtp is accepted");
   if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
   Assembly out = assemble_walls(input);
+  check_crusher(input, out);
   Scene& scene = out.scene;
   scene.pairs = pair_table(input);
   scene.rock_material = input.rock_material;
@@ -198,6 +228,7 @@ Assembly assemble(const Case& input) {
   out.removal_depth = std::max(out.removal_depth, twice_largest(out.start));
   if (input.crusher && input.crusher->removal_depth) out.removal_depth = *input.crusher->removal_depth;
   out.step = choose_step(input, scene, out.library, out.start);
+  note_windows(out, input);
   scene.dt = out.step.dt;
   scene.hold = input.numerics.substeps;
   if (input.feed) out.feed = blaming("feed", [&] { return feed_plan(input, out); });

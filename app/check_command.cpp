@@ -108,12 +108,13 @@ void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   if (std::isfinite(e.step.limit)) std::printf(", limit %.4g us (%s)", e.step.limit * 1e6, e.step.limited_by.c_str());
   std::printf("\n");
   std::printf("steps          %lld, %d a coupling interval\n", static_cast<long long>(e.steps), e.step.per_window);
-  std::printf("particles      %s at the start, %s fed by the end at most\n", format_count(double(e.particles)).c_str(),
-              format_count(double(e.particles_at_end)).c_str());
+  std::printf("particles      %s at the start, about %s by the end if all the feed finds room\n",
+              format_count(double(e.particles)).c_str(), format_count(double(e.particles_at_end)).c_str());
   std::printf("bonds          %s at the start\n", format_count(double(e.bonds)).c_str());
   if (!assembly.library.rocks.empty())
     std::printf("library        %zu rocks, %.3g to %.3g mm\n", assembly.library.rocks.size(),
                 assembly.library.rocks.front().diameter * 1e3, assembly.library.rocks.back().diameter * 1e3);
+  for (const std::string& note : assembly.notes) std::printf("note           %s\n", note.c_str());
   std::printf("memory         about %s bytes\n", format_count(e.bytes).c_str());
   std::printf("wall time      about %s on this machine\n", format_duration(e.seconds).c_str());
 }
@@ -145,6 +146,7 @@ int check_command(const CaseArguments& arguments) {
   if (found) {
     out["valid"] = true;
     add_figures(out, *found);
+    out["notes"] = assembly->notes;
     if (!arguments.json) print(*report.loaded, *assembly, *found);
   }
   if (arguments.json) std::cout << out.dump(2) << "\n";

@@ -63,6 +63,8 @@ std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> chosen = app->get_subcommands();
   std::string text = error.what();
   while (!text.empty() && (text.back() == '.' || text.back() == '\n')) text.pop_back();
+  const std::vector<std::string> unknown = chosen.empty() ? app->remaining() : chosen.front()->remaining();
+  if (!unknown.empty()) text = "there is no `" + unknown.front() + "`";
   if (!chosen.empty()) return text + "; `gyrosim " + chosen.front()->get_name() + " --help` says what is accepted\n";
   text += "; accepted are";
   for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
@@ -72,7 +74,11 @@ std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
 
 int guarded(const std::function<int()>& command) {
   try {
-    return command();
+    const int code = command();
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw OutputError("standard output: cannot be written to the end");
+    return code;
   } catch (const BadInput& e) {
     std::cerr << e.what() << "\n";
     return exit_bad_input;

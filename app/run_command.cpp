@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "app/device.hpp"
 #include "app/laboratory.hpp"
+#include "app/run_figures.hpp"
 #include "app/run_output.hpp"
 #include "app/simulation.hpp"
 #include "app/stop_request.hpp"
@@ -52,6 +53,7 @@ class Run {
 
   int run() {
     start_log();
+    if (resumed_) mark_unfinished();
     int code = exit_done;
     Summary summary = base_summary();
     try {
@@ -202,31 +204,9 @@ class Run {
   }
 
   void finish(Summary& s) {
-    const Counts counts = simulation_.dem().counts();
-    s.simulated_seconds = simulation_.time();
     s.wall_seconds = output_.earlier_seconds() + seconds_since(start_);
-    s.particle_steps = counts.particle_steps;
-    s.bond_steps = counts.bond_steps;
-    s.particles = counts.particles;
-    s.bonds_initial = simulation_.bonds_initial();
-    s.bonds_broken = counts.broken_tension + counts.broken_shear;
-    s.energy_residual_fraction = simulation_.ledger().residual_fraction();
-    s.momentum_residual_fraction = simulation_.momentum().residual_fraction();
-    const MassCount mass = simulation_.mass_count();
-    s.mass_residual_fraction = mass.fed > 0 ? static_cast<double>(mass.residual()) / static_cast<double>(mass.fed) : 0;
-    if (simulation_.feed()) s.feed_mass = simulation_.fed().mass;
-    if (assembly_.gyrating != none) s.mean_crushing_power = output_.mean_crushing_power();
-    if (simulation_.product()) product_figures(s);
-    if (simulation_.product()) s.holdup_mass = simulation_.holdup();
-    if (const auto& drive = simulation_.drivetrain()) {
-      if (simulation_.feed()) s.choked = simulation_.choked();
-      if (const auto steady = steady_state(output_.gyrations()); steady && simulation_.product())
-        s.steady = SteadyFigures{steady->from, steady->power, steady->throughput * 3.6, steady->residence_time};
-      s.stalled = drive->stalled();
-      for (const DriveEvent& event : drive->events()) s.drive_events.push_back({event.time, to_string(event.kind)});
-    }
+    add_figures(s, input_, assembly_, simulation_, output_);
     if (input_.laboratory) s.laboratory = write_laboratory(input_, assembly_, directory_.path);
-    s.max_overlap_ratio = simulation_.ledger().worst_overlap();
     if (*s.max_overlap_ratio > hertz_overlap) warn_of_overlap(*s.max_overlap_ratio);
     write_summary(s, directory_.path);
     for (const auto& [phase, seconds] : simulation_.dem().phase_seconds())
@@ -244,6 +224,16 @@ class Run {
     log_.warning(line);
   }
 
+  /// Until it ends again, a run that goes on is none that is done, whatever becomes of this process.
+  void mark_unfinished() const {
+    Summary s = base_summary();
+    s.status = RunStatus::interrupted;
+    s.reason = "goes on from its checkpoint";
+    s.simulated_seconds = simulation_.time();
+    s.wall_seconds = output_.earlier_seconds();
+    write_summary(s, directory_.path);
+  }
+
   /// Leaves a word in the directory, if that can still be written.
   void fail(Summary& s, const std::string& reason) const {
     s.status = RunStatus::failed;
@@ -254,20 +244,6 @@ class Run {
       write_summary(s, directory_.path);
     } catch (const OutputError&) {  // the failure itself is reported
     }
-  }
-
-  void product_figures(Summary& s) const {
-    const ProductRow row = simulation_.product()->row(simulation_.time());
-    s.discharged_mass = row.mass;
-    if (simulation_.time() > 0) s.throughput_tph = row.mass / simulation_.time() * 3.6;
-    if (!(row.mass > 0)) return;
-    s.specific_energy_kwh_per_t = output_.crushing_work() / 3.6e6 / (row.mass / 1000);
-    s.p80 = row.p80;
-    s.p50 = row.p50;
-    s.product_below_css = passing_at(row.passing, input_.crusher->closed_side_setting);
-    s.product_below_oss = passing_at(row.passing, open_side_setting(*input_.crusher));
-    s.singles_share = row.singles_share;
-    if (input_.bonds && !assembly_.library.rocks.empty()) s.swell_of_crumbled = swell_of_crumbled(assembly_.library);
   }
 
   const RunArguments& arguments_;
@@ -308,7 +284,9 @@ int run_command(const RunArguments& arguments) {
   if (directory.state == RunDirectory::State::finished &&
       (!arguments.resume || later < 1e-6 * input->coupling_interval)) {
     located(arguments.input, [&] { require_same_case(directory.path, *input); });
-    std::cerr << directory.path.string() << " holds a finished run; nothing to do\n";
+    std::cerr << directory.path.string() << " holds a run that is finished at t = " << directory.simulated_seconds
+              << " s; " << (later > 0 && !arguments.resume ? "--resume goes on to the later end" : "nothing to do")
+              << "\n";
     return exit_done;
   }
   std::optional<Run> run;

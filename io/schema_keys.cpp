@@ -353,7 +353,7 @@ const std::vector<Key> run_keys = {
     {.path = "output.probes", .type = integers, .range = {.low = 0, .high = 4294967294.0},
      .doc = "Ids of particles whose position, velocity and spin are written with each row of /series; not a number once they are gone."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
-     .doc = "Files of a snapshot: vtp for ParaView; hdf5 adds fields.h5 with an XDMF index."},
+     .doc = "Files of a snapshot: vtp for ParaView; hdf5 is not available in this version."},
     {.path = "output.liners", .doc = "Maps of pressure and sliding work of every wall but planes, in /liners of results.h5. Without it they cost nothing."},
     {.path = "output.liners.interval", .type = quantity, .dimension = Dimension::time, .required = true, .range = positive,
      .doc = "Simulated time between maps; each is the mean over it."},

@@ -84,6 +84,7 @@ std::string to_json(const Summary& s) {
                      {"bonds_initial", s.bonds_initial},
                      {"bonds_broken", s.bonds_broken},
                      {"feed_mass", number(s.feed_mass)},
+                     {"feed_waiting", number(s.feed_waiting)},
                      {"discharged_mass", number(s.discharged_mass)},
                      {"throughput_tph", number(s.throughput_tph)},
                      {"specific_energy_kwh_per_t", number(s.specific_energy_kwh_per_t)},

@@ -25,6 +25,8 @@ std::string line(const char* name, const std::string& value) {
 std::string product_lines(const Summary& s) {
   std::string text;
   if (s.feed_mass) text += line("fed", format("%.4g t", *s.feed_mass / 1e3));
+  if (s.feed_waiting && *s.feed_waiting > 0)
+    text += line("waiting", format("%.4g t, which found no room", *s.feed_waiting / 1e3));
   if (s.discharged_mass) text += line("discharged", format("%.4g t", *s.discharged_mass / 1e3));
   if (s.throughput_tph) text += line("throughput", format("%.4g t/h", *s.throughput_tph));
   if (s.p80) text += line("product P80", format("%.4g mm", *s.p80 * 1e3));

@@ -4,7 +4,9 @@
 #include "core/base/errors.hpp"
 #include "core/dem/dem_solver.hpp"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 // Neighbour lists. They only say who may touch: when they are rebuilt, and with which margin, changes
 // no bit of a result.
@@ -200,7 +202,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::book_walls() {
   const WallView<Real> walls = wall_view(walls_);
   if (walls.count == 0) return;
-  if (scene_.wall_impulses) note_impulses(walls_.sums);
+  if (scene_.wall_impulses) keep_impulses(walls_.sums);
   for (Index w = 0; w < surfaces_.count(); ++w) {
     WallSum& sum = wall_sums_[static_cast<std::size_t>(w)];
     sum = sum + exec_.template reduce<WallSum>("book walls", walls.count, SumWall{walls.entries, walls.sums, w});
@@ -212,28 +214,45 @@ void DemSolver<Exec, Real>::book_walls() {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::book_later() {
   const WallView<Real> walls = wall_view(walls_);
-  if (scene_.wall_impulses) note_impulses(walls_.later);
+  if (scene_.wall_impulses) keep_impulses(walls_.later);
+  note_impulses();
   for (Index w = 0; w < surfaces_.count(); ++w)
     wall_sums_[static_cast<std::size_t>(w)] =
         exec_.template reduce<WallSum>("book walls", walls.count, SumWall{walls.entries, walls.later, w});
 }
 
-/// Keeps what each entry has booked, in the frame of its wall.
+/// Keeps what each entry has booked.
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::note_impulses(const Buffer<WallSum>& booked) {
+void DemSolver<Exec, Real>::keep_impulses(const Buffer<WallSum>& booked) {
   const auto& entries = Exec::host(walls_.entries);
   const auto& sums = Exec::host(booked);
-  const auto& place = Exec::host(particles_.place);
   for (std::size_t n = 0; n < entries.size(); ++n) {
     const WallSum& s = sums[n];
-    if (s.force[0] == 0 && s.force[1] == 0 && s.force[2] == 0) continue;
-    const WallEntry& entry = entries[n];
-    const WallPose& pose = poses_now_[static_cast<std::size_t>(entry.wall)];
-    const Sphere& sphere = place[static_cast<std::size_t>(entry.particle)];
-    const Vec3d impulse = wall_quantum * Vec3d{double(s.force[0]), double(s.force[1]), double(s.force[2])};
-    impulses_.push_back({entry.wall, to_body(pose, sphere.x), sphere.radius, rotate_back(pose.turn, impulse),
-                         wall_quantum * static_cast<double>(s.slip)});
+    if (s.force[0] != 0 || s.force[1] != 0 || s.force[2] != 0)
+      kept_impulses_.push_back({entries[n].particle, entries[n].wall, s});
   }
+}
+
+/// Gives what was kept since the window began to the places where its particles are now, in the frames of the walls:
+/// when the lists were rebuilt in between changes nothing.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::note_impulses() {
+  if (kept_impulses_.empty()) return;
+  const auto& place = Exec::host(particles_.place);
+  const auto key = [](const KeptImpulse& k) { return std::pair{k.particle, k.wall}; };
+  std::sort(kept_impulses_.begin(), kept_impulses_.end(),
+            [&](const KeptImpulse& a, const KeptImpulse& b) { return key(a) < key(b); });
+  for (auto k = kept_impulses_.begin(); k != kept_impulses_.end();) {
+    const auto [particle, wall] = key(*k);
+    WallSum sum;
+    for (; k != kept_impulses_.end() && key(*k) == std::pair{particle, wall}; ++k) sum = sum + k->sum;
+    const WallPose& pose = poses_now_[static_cast<std::size_t>(wall)];
+    const Sphere& sphere = place[static_cast<std::size_t>(particle)];
+    const Vec3d impulse = wall_quantum * Vec3d{double(sum.force[0]), double(sum.force[1]), double(sum.force[2])};
+    impulses_.push_back({wall, to_body(pose, sphere.x), sphere.radius, rotate_back(pose.turn, impulse),
+                         wall_quantum * static_cast<double>(sum.slip)});
+  }
+  kept_impulses_.clear();
 }
 
 }  // namespace gyro

@@ -90,7 +90,8 @@ class DemSolver final : public Dem {
   void list_walls();
   void book_walls();
   void book_later();
-  void note_impulses(const Buffer<WallSum>& booked);
+  void keep_impulses(const Buffer<WallSum>& booked);
+  void note_impulses();
 
   /// Rock on its way in, on the host.
   struct Arrivals {
@@ -190,6 +191,11 @@ class DemSolver final : public Dem {
   EnergyTerms booked_;          ///< of what has left, and what events and walls added
   Counts counts_total_;
   std::vector<Breakage> breakages_;
+  struct KeptImpulse {
+    Index particle, wall;
+    WallSum sum;
+  };
+  std::vector<KeptImpulse> kept_impulses_;  ///< of this window so far
   std::vector<WallImpulse> impulses_;
 };
 

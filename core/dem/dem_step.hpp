@@ -94,7 +94,7 @@ void DemSolver<Exec, Real>::prime() {
   contact_forces(0, left_over());
   gather(true, false);
   book_walls();
-  impulses_.clear();
+  kept_impulses_.clear();
   book_later();  // in place of the sums: no time has passed, nothing was done
   booked_.exchanged += contact_sums().elastic;
 }
@@ -142,6 +142,7 @@ bool DemSolver<Exec, Real>::lists_stale(const Host<std::int32_t>& flags) const {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::close_window(const Window& window) {
   book_walls();
+  note_impulses();
   for (std::size_t w = 0; w < wall_sums_.size(); ++w) {
     const WallSum& s = wall_sums_[w];
     const double mean = wall_quantum / window.length();

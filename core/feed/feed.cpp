@@ -65,6 +65,13 @@ void Feed::check_plan() const {
   if ((plan_.batch > 0 || plan_.rate > 0) && !entry_) {
     throw BadInput("the feed has a batch or a rate but no region where it enters; give one");
   }
+  // A mass is kept to half a rock: less than half of the lightest one would feed nothing.
+  const double least = *std::min_element(masses_.begin(), masses_.end()) / 2;
+  for (const double mass : {plan_.initial, plan_.batch}) {
+    if (mass > 0 && mass <= least)
+      throw BadInput("a feed of " + std::to_string(mass) + " kg is less than half of the lightest rock, " +
+                     std::to_string(2 * least) + " kg; accepted are a larger mass or smaller rocks");
+  }
   if (plan_.initial > 0) check_fits("a particle", *charge_, 2 * largest_radius_);
   if (!entry_) return;
   // A rock that fits in no way would wait for ever and hold up all that follow.

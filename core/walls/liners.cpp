@@ -117,10 +117,14 @@ double solve_lift(const Liners& liners) {
   double low = 0, high = 0;
   for (double step = most / 64; step <= most && excess(low) < 0; step *= 2) low = -step;
   for (double step = most / 64; step <= most && excess(high) > 0; step *= 2) high = step;
-  require(excess(low) >= 0 && excess(high) <= 0,
-          "closed_side_setting of " + std::to_string(wanted) + " m cannot be had by lifting the mantle; between " +
-              std::to_string(std::max(side_setting(liners, high, true), 0.0)) + " and " +
-              std::to_string(side_setting(liners, low, true)) + " m are accepted");
+  const double widest = side_setting(liners, low, true);
+  require(widest > std::max(side_setting(liners, high, true), 0.0),
+          "the mantle reaches the concave at any height, by its profile or by the eccentricity; a narrower mantle or a "
+          "smaller eccentricity is accepted");
+  require(excess(low) >= 0 && excess(high) <= 0, "closed_side_setting of " + std::to_string(wanted) +
+                                                     " m cannot be had by lifting the mantle; between " +
+                                                     std::to_string(std::max(side_setting(liners, high, true), 0.0)) +
+                                                     " and " + std::to_string(widest) + " m are accepted");
   while (high - low > 1e-12 * most) {
     const double middle = (low + high) / 2;
     (excess(middle) >= 0 ? low : high) = middle;

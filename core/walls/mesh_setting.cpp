@@ -166,6 +166,10 @@ double MeshGap::solve_lift(double wanted) const {
     at_high = closed(high) - wanted;
     narrowest = std::min(narrowest, at_high);
   }
+  if (at_low + wanted <= std::max(narrowest + wanted, 0.0) && (at_low < 0 || at_high > 0))
+    throw BadInput(
+        "no height of the mantle leaves a gap to the concave; a mantle that fits inside the concave is "
+        "accepted, both in metres");
   if (at_low < 0 || at_high > 0)
     throw BadInput("closed_side_setting of " + std::to_string(wanted) +
                    " m cannot be had by lifting the mantle; between " +

@@ -48,7 +48,8 @@ const std::string bounce = box +
 TEST_CASE("A run in parts has the numbers of one piece: breaking, feeding, removal, either precision, any threads") {
   const std::string precision = GENERATE(as<std::string>{}, "mixed", "double");
   const Workplace place;
-  const std::string run = crush + "--set numerics.precision=" + precision;
+  const std::string run =
+      crush + "--set 'output.liners={interval: 7 ms, rows: 40, sectors: 60}' --set numerics.precision=" + precision;
   REQUIRE(place.gyrosim(run + " --until '100 ms' --out whole").code == 0);
   const nlohmann::json whole = summary_of(place.path() / "whole");
   REQUIRE(whole["bonds_broken"] > 50);
