@@ -228,28 +228,29 @@ void DemSolver<Exec, Real>::keep_impulses(const Buffer<WallSum>& booked) {
   const auto& sums = Exec::host(booked);
   for (std::size_t n = 0; n < entries.size(); ++n) {
     const WallSum& s = sums[n];
-    if (s.force[0] != 0 || s.force[1] != 0 || s.force[2] != 0)
+    if (s.force[0] != 0 || s.force[1] != 0 || s.force[2] != 0 || s.slip != 0)
       kept_impulses_.push_back({entries[n].particle, entries[n].wall, s});
   }
 }
 
 /// Gives what was kept since the window began to the places where its particles are now, in the frames of the walls:
-/// when the lists were rebuilt in between changes nothing.
+/// when the lists were rebuilt in between changes nothing. Ordered by the particles' ids, as sums of them must be.
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::note_impulses() {
   if (kept_impulses_.empty()) return;
   const auto& place = Exec::host(particles_.place);
-  const auto key = [](const KeptImpulse& k) { return std::pair{k.particle, k.wall}; };
+  const auto& ids = Exec::host(particles_.id);
+  const auto key = [&](const KeptImpulse& k) { return std::pair{ids[static_cast<std::size_t>(k.particle)], k.wall}; };
   std::sort(kept_impulses_.begin(), kept_impulses_.end(),
             [&](const KeptImpulse& a, const KeptImpulse& b) { return key(a) < key(b); });
   for (auto k = kept_impulses_.begin(); k != kept_impulses_.end();) {
-    const auto [particle, wall] = key(*k);
+    const KeptImpulse first = *k;
     WallSum sum;
-    for (; k != kept_impulses_.end() && key(*k) == std::pair{particle, wall}; ++k) sum = sum + k->sum;
-    const WallPose& pose = poses_now_[static_cast<std::size_t>(wall)];
-    const Sphere& sphere = place[static_cast<std::size_t>(particle)];
+    for (; k != kept_impulses_.end() && key(*k) == key(first); ++k) sum = sum + k->sum;
+    const WallPose& pose = poses_now_[static_cast<std::size_t>(first.wall)];
+    const Sphere& sphere = place[static_cast<std::size_t>(first.particle)];
     const Vec3d impulse = wall_quantum * Vec3d{double(sum.force[0]), double(sum.force[1]), double(sum.force[2])};
-    impulses_.push_back({wall, to_body(pose, sphere.x), sphere.radius, rotate_back(pose.turn, impulse),
+    impulses_.push_back({first.wall, to_body(pose, sphere.x), sphere.radius, rotate_back(pose.turn, impulse),
                          wall_quantum * static_cast<double>(sum.slip)});
   }
   kept_impulses_.clear();

@@ -16,6 +16,7 @@ Scene busy_scene() {
   scene.gravity = {0, 0, -9.81};
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
   scene.rolling = true;
+  scene.wall_impulses = true;
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;
   scene.bonds->tensile_strength = 1e5;
@@ -47,6 +48,7 @@ struct Outcome {
   std::vector<WallLoad> walls;
   std::vector<Breakage> breakages;
   double residual;
+  std::vector<WallImpulse> impulses;
 };
 
 Outcome outcome(const Scene& scene, Loads loads, int threads, const std::vector<NewRock>& rocks, int steps = 300,
@@ -55,7 +57,8 @@ Outcome outcome(const Scene& scene, Loads loads, int threads, const std::vector<
   dem->insert(rocks);
   std::int64_t step = 0;
   run(*dem, dt, step, steps, window);
-  return {dem->particles(), dem->wall_loads(), dem->take_breakages(), dem->energy().residual()};
+  return {dem->particles(), dem->wall_loads(), dem->take_breakages(), dem->energy().residual(),
+          dem->take_wall_impulses()};
 }
 
 bool same_loads(const std::vector<WallLoad>& a, const std::vector<WallLoad>& b) {
@@ -72,7 +75,16 @@ bool same_breakages(const std::vector<Breakage>& a, const std::vector<Breakage>&
   return a.size() == b.size();
 }
 
+bool same_impulses(const std::vector<WallImpulse>& a, const std::vector<WallImpulse>& b) {
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+    if (a[k].wall != b[k].wall || !same(a[k].centre, b[k].centre) || !same(a[k].impulse, b[k].impulse) ||
+        a[k].slip != b[k].slip)
+      return false;
+  return a.size() == b.size();
+}
+
 void check_same(const Outcome& a, const Outcome& b) {
+  CHECK(same_impulses(a.impulses, b.impulses));
   CHECK(same_bits(a.particles, b.particles));
   CHECK(same_loads(a.walls, b.walls));
   CHECK(same_breakages(a.breakages, b.breakages));
@@ -98,6 +110,7 @@ TEST_CASE("The margin of the neighbour lists changes no bit", "[dem][bits]") {
   const Loads loads = GENERATE(Loads::double_, Loads::single);
   Scene scene = busy_scene();
   const Outcome automatic = outcome(scene, loads, 1, busy_rocks(3));
+  REQUIRE(automatic.impulses.size() > 100);
   for (const double margin : {2e-5, 3e-3, 2e-2}) {
     INFO("margin " << margin);
     scene.neighbour_margin = margin;
