@@ -69,17 +69,14 @@ void set_meshes(Assembly& out, double closed_side_setting) {
   out.notes.push_back(note);
 }
 
-/// A crusher is of use only if its mantle moves.
-void check_crusher(const Case& input, const Assembly& out) {
-  if (!input.crusher) return;
-  if (out.gyrating == none)
-    throw BadKey("crusher",
-                 "the case has a crusher but no wall that gyrates; walls.mantle with motion: gyration is "
-                 "accepted, or crusher.profile");
-  if (!input.drivetrain && !input.drivetrain_fmu)
-    throw BadKey("crusher",
-                 "nothing turns the eccentric; a drivetrain is needed, whose motor may have the model "
-                 "constant_speed");
+/// A drive that moves nothing is a mistake; a mantle that nothing drives may be meant.
+void check_crusher(const Case& input, Assembly& out) {
+  const bool driven = input.drivetrain || input.drivetrain_fmu;
+  if (driven && out.gyrating == none)
+    throw BadKey("drivetrain",
+                 "the drive moves nothing, no wall gyrates; walls.mantle with motion: gyration is accepted, "
+                 "or crusher.profile");
+  if (input.crusher && !driven) out.notes.push_back("the case has no drivetrain: the mantle stands still");
 }
 
 /// Says what is not a whole number of windows: a run looks at itself at the ends of windows only.

@@ -121,6 +121,30 @@ TEST_CASE("liners --json measures the setting that the case asks for") {
   CHECK(place.listing() == std::vector<std::string>{"l", "l/concave.stl", "l/mantle.stl"});
 }
 
+TEST_CASE("What would run and do nothing is refused: a feed of less than a rock, a drive that moves nothing") {
+  const Workplace place;
+  const std::string drive =
+      "'drivetrain={motor: {model: constant_speed, speed: 100}, gear_ratio: 1, inertia: {eccentric: 1}}' "
+      "--set 'crusher={closed_side_setting: 0.1, eccentricity: 0.01, pivot_height: 1}'";
+  for (const std::string& word : {std::string("lightest rock"), std::string("no wall gyrates")}) {
+    const std::string set =
+        word == "lightest rock" ? crush + " --set feed.initial=1e-4" : "'" GYRO_CASES "/box.yaml' --set " + drive;
+    for (const std::string command : {"check ", "run --out r "}) {
+      const Outcome outcome = place.gyrosim(command + set);
+      INFO(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err.find(word) != std::string::npos);
+    }
+  }
+  CHECK(place.listing().empty());
+}
+
+TEST_CASE("Standard output that cannot be written is an output error") {
+  const Workplace place;
+  for (const std::string command : {"describe", "init", "info --json", "check '" GYRO_CASES "/box.yaml' --json"})
+    CHECK(place.gyrosim(command + " >/dev/full 2>/dev/null #").code == 5);
+}
+
 TEST_CASE("describe, init and info") {
   const Workplace place;
   CHECK(place.gyrosim("describe").out.find("crusher.closed_side_setting") != std::string::npos);
