@@ -52,8 +52,8 @@ std::vector<Check> run(const Case& verification) {
     verification.run(recorder);
     checks.insert(checks.end(), recorder.checks().begin(), recorder.checks().end());
   };
-  in(Loads::double_);
-  if (verification.precisions == Case::Precisions::both) in(Loads::single);
+  if (verification.precisions != Case::Precisions::mixed) in(Loads::double_);
+  if (verification.precisions != Case::Precisions::one) in(Loads::single);
   return checks;
 }
 

@@ -55,7 +55,8 @@ class Recorder {
 /// A set-up whose answer is known: it runs the engine that runs crushers and records what came out.
 struct Case {
   enum class When { always, nightly };
-  enum class Precisions { both, one };  ///< one: nothing in it depends on the type of the loads
+  /// one: nothing in it depends on the type of the loads, or double is enough; mixed: only in that, for its time.
+  enum class Precisions { both, one, mixed };
 
   std::string name;  ///< group/case
   void (*run)(Recorder&);

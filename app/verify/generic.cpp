@@ -193,7 +193,7 @@ const std::array<Case, 9> cases{{
     {"generic/time-reversal", time_reversal},
     {"generic/momenta", momenta},
     {"generic/silo", silo, Case::Precisions::one, Case::When::nightly},
-    {"generic/repose", repose, Case::Precisions::one, Case::When::nightly},
+    {"generic/repose", repose, Case::Precisions::mixed, Case::When::nightly},
 }};
 
 }  // namespace
