@@ -44,9 +44,7 @@ void read_drive_fmu(const Setting& root, CaseTables& tables, CaseProblems& probl
   at(file.mark, problems, [&] {
     const ModelDescription model = read_fmu(file.texts.at(0));
     CaseFmu fmu;
-    static_cast<DriveFmu&>(fmu) = {
-        file.texts[0], model.model_name,    model.generation_tool, model.guid, model.identifier,  model.variable_step,
-        model.state,   model.serialisation, model.needs_tool,      {},         history_of(model), {}};
+    static_cast<DriveFmu&>(fmu) = unconnected(file.texts[0], model);
     connect(drive, model, fmu.links, problems);
     if (const Setting* parameters = drive.find("parameters"))
       for (const Setting& p : parameters->children)

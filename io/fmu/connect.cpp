@@ -107,6 +107,11 @@ FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string
   return link;
 }
 
+DriveFmu unconnected(const std::filesystem::path& file, const ModelDescription& model) {
+  return {file,        model.model_name,    model.generation_tool, model.guid, model.identifier,  model.variable_step,
+          model.state, model.serialisation, model.needs_tool,      {},         history_of(model), {}};
+}
+
 std::optional<FmuHistory> history_of(const ModelDescription& model) {
   const auto output = [&](const std::string& name, std::string_view type) {
     const FmuVariable* variable = model.find(name);

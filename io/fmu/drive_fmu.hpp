@@ -40,6 +40,9 @@ FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string
 /// Where an exported drivetrain remembers its events: variables events, event_time[1], event_kind[1] and so on.
 std::optional<FmuHistory> history_of(const ModelDescription& model);
 
+/// An FMU as its description tells of it; its links are still to be made. @param file  absolute
+DriveFmu unconnected(const std::filesystem::path& file, const ModelDescription& model);
+
 /// A parameter and the value that it is to have. @throws BadInput when it is not there or does not take the value
 FmuStart start_of(const ModelDescription& model, const std::string& name, double value);
 

@@ -43,15 +43,7 @@ DriveFmu exported(const DrivetrainParameters& parameters, const std::filesystem:
   export_drive({.drive = parameters, .title = "A <machine> & \"more\"", .tool = "test", .library = GYRO_DRIVETRAIN_FMU},
                file);
   const ModelDescription model = read_fmu(file);
-  DriveFmu fmu;
-  fmu.file = file;
-  fmu.model_name = model.model_name;
-  fmu.guid = model.guid;
-  fmu.identifier = model.identifier;
-  fmu.variable_step = model.variable_step;
-  fmu.state = model.state;
-  fmu.serialisation = model.serialisation;
-  fmu.history = history_of(model);
+  DriveFmu fmu = unconnected(file, model);
   for (std::size_t k = 0; k < fmu_quantities; ++k) {
     const std::string name(info_of(static_cast<FmuQuantity>(k)).name);
     if (model.find(name)) fmu.links[k] = link_to(model, static_cast<FmuQuantity>(k), name);

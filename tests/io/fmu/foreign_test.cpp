@@ -18,12 +18,7 @@ using Catch::Matchers::Contains;
 DriveFmu foreign(const std::filesystem::path& file) {
   write_foreign_fmu(file);
   const ModelDescription model = read_fmu(file);
-  DriveFmu fmu;
-  fmu.file = file;
-  fmu.model_name = model.model_name;
-  fmu.guid = model.guid;
-  fmu.identifier = model.identifier;
-  fmu.variable_step = model.variable_step;
+  DriveFmu fmu = unconnected(file, model);
   const auto connect = [&](FmuQuantity quantity, const char* name) {
     fmu.links[static_cast<std::size_t>(quantity)] = link_to(model, quantity, name);
   };
