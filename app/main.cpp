@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands.hpp"
+#include "app/commands/commands.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
-#include "io/units.hpp"
+#include "io/case/units.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exec/lanes.hpp"
 #include "core/exec/phase_timer.hpp"
 #include "core/kernels/bond_forces.hpp"
+#include "core/kernels/bond_lane.hpp"
 #include "core/kernels/wall_forces.hpp"
 #include "core/state/bonds.hpp"
 #include "gpu/sort_scan.hpp"

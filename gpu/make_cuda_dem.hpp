@@ -9,7 +9,7 @@ namespace gyro {
 
 /// A scene on the first CUDA device; the same bits as make_cpu_dem gives.
 /// @throws NoDevice with the driver's reason when there is no device to use; BadInput as make_cpu_dem
-std::unique_ptr<Dem> make_cuda_dem(const Scene& scene, Loads loads);
+std::unique_ptr<Dem> make_cuda_dem(const Scene& scene, Precision precision);
 
 /// Whether there is a device and a driver for it. Never throws.
 bool cuda_device_is_there();

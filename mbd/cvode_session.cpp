@@ -20,7 +20,7 @@ namespace {
 
 static_assert(sizeof(realtype) == sizeof(double), "SUNDIALS must be built for double precision");
 
-constexpr long most_steps = 100000;  // per interval; a run-up over minutes takes some hundreds
+constexpr long max_steps = 100000;  // per interval; a run-up over minutes takes some hundreds
 
 void require(int flag, const char* call) {
   if (flag >= 0) return;
@@ -121,7 +121,7 @@ CvodeSession::Implementation::Implementation(const Settings& settings, Rate rate
   require(CVodeSVtolerances(memory, settings.relative_tolerance, tolerance), "CVodeSVtolerances");
   require(CVodeSetUserData(memory, this), "CVodeSetUserData");
   require(CVodeSetLinearSolver(memory, solver, matrix), "CVodeSetLinearSolver");
-  require(CVodeSetMaxNumSteps(memory, most_steps), "CVodeSetMaxNumSteps");
+  require(CVodeSetMaxNumSteps(memory, max_steps), "CVodeSetMaxNumSteps");
   require(CVodeSetErrHandlerFn(memory, say_nothing, nullptr), "CVodeSetErrHandlerFn");
   if (event_count > 0) {
     require(CVodeRootInit(memory, event_count, call_events), "CVodeRootInit");

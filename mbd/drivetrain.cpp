@@ -107,7 +107,7 @@ void Drivetrain::advance(const Window& window, const MantleLoad& load) {
 /// Running means over some 16 windows: one impact is no reason.
 void Drivetrain::judge_window(const ShaftTurn& turn, double work, double length) {
   constexpr double memory = 1.0 / 16;
-  constexpr double most_divisor = 256;
+  constexpr double max_divisor = 256;
   if (!(residual_limit_ > 0)) return;
   const double passed = std::max({std::abs(turn.motor_work), std::abs(work), std::abs(turn.kinetic_gain)}) / length;
   state_.residual_mean += memory * (std::abs(means_.power_residual) - state_.residual_mean);
@@ -117,7 +117,7 @@ void Drivetrain::judge_window(const ShaftTurn& turn, double work, double length)
   const double rounding = 1e-12 * kinetic_energy() / length;  // of an idle drive
   const double limit = residual_limit_ * state_.passed_mean + rounding;
   const double divisor = state_.window_divisor;
-  if (state_.residual_mean > limit && divisor < most_divisor) state_.window_divisor *= 2;
+  if (state_.residual_mean > limit && divisor < max_divisor) state_.window_divisor *= 2;
   if (state_.residual_mean < limit / 16 && divisor > 1) state_.window_divisor /= 2;
   if (state_.window_divisor == divisor) return;
   state_.residual_mean = state_.passed_mean = state_.windows_judged = 0;
@@ -144,7 +144,7 @@ void Drivetrain::take_up(const Window& window, const ShaftTurn& turn, const Shaf
 
 void Drivetrain::keep(const DriveEvent& event) {
   const auto number = static_cast<std::size_t>(state_.events);
-  if (number < DrivetrainState::most_events) {
+  if (number < DrivetrainState::max_events) {
     state_.event_time[number] = event.time;
     state_.event_kind[number] = static_cast<double>(event.kind);
   }
@@ -154,7 +154,7 @@ void Drivetrain::keep(const DriveEvent& event) {
 
 std::vector<DriveEvent> Drivetrain::events() const {
   std::vector<DriveEvent> kept;
-  for (std::size_t k = 0; k < DrivetrainState::most_events && static_cast<double>(k) < state_.events; ++k)
+  for (std::size_t k = 0; k < DrivetrainState::max_events && static_cast<double>(k) < state_.events; ++k)
     kept.push_back({state_.event_time[k], static_cast<DriveEventKind>(static_cast<int>(state_.event_kind[k]))});
   return kept;
 }

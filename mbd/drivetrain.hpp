@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/window.hpp"
+#include "core/scene/window.hpp"
 #include "mbd/drive.hpp"
 
 #include <array>
@@ -49,9 +49,9 @@ struct DrivetrainState {
   double windows_judged = 0;   ///< since the divisor changed
   double start_energy = 0;     ///< kinetic, and of the coupling spring, at time 0 [J]
   SwitchState motor{};
-  static constexpr std::size_t most_events = 32;
+  static constexpr std::size_t max_events = 32;
   double events = 0;  ///< so far; the first most_events are kept
-  std::array<double, most_events> event_time{}, event_kind{};
+  std::array<double, max_events> event_time{}, event_kind{};
 };
 
 /// Means over the last window, for the series.

@@ -18,7 +18,7 @@ enum Unknown { turned, speed_gain, motor_impulse, motor_work, loss_work, unknown
 constexpr std::array<double, unknowns> absolute_tolerance{1e-13, 1e-13, 1e-9, 1e-8, 1e-8};
 constexpr double optional_tolerance = 1e-13;  // rad, rad/s, 1, s
 
-constexpr int most_legs = 100;          // stick and slip, trips and restarts of one interval
+constexpr int max_legs = 100;           // stick and slip, trips and restarts of one interval
 constexpr double shortest_leg = 1e-12;  // [s]
 
 double gain(std::span<const double> y, int place) {
@@ -244,7 +244,7 @@ ShaftTurn Shaft::turn(double duration, const ShaftLoad& load, ShaftMotion& motio
   ShaftTurn sum;
   double done = 0;
   bool after_leg = false;
-  for (int number = 0; number < most_legs; ++number) {
+  for (int number = 0; number < max_legs; ++number) {
     switch_motor(motion, sum, after_leg);
     set_signs(motion, sum, after_leg);
     const double rest = duration - done;

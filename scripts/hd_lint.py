@@ -13,7 +13,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("core/math", "core/laws", "core/kernels")
+FOLDERS = ("core/math", "core/surfaces", "core/laws", "core/kernels")
 HOST_ONLY = re.compile(r"^// Host only\b", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails on an #include against the direction of dependence.
 
-    base <- math <- laws <- kernels <- dem <- gpu      mbd -> base, math, dem/window.hpp
-    app -> everything                                  io -> core, mbd (not its solver)
+    base <- math <- scene <- surfaces <- laws <- state <- kernels <- dem <- gpu
+    base <- math <- exec <- dem                        (the executor knows a machine only)
+    base .. laws <- geometry rocks fragments walls feed  (preparation; the engine uses nothing of it)
+    base .. scene <- mbd;   scene, preparation, mbd <- io;   everything <- app
 
 Usage: include_lint.py [ROOT]
 """
@@ -15,15 +17,37 @@ FOLDERS = ("core", "mbd", "io", "app", "gpu")
 SUFFIXES = (".hpp", ".cpp", ".cuh", ".cu", ".h")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
+# The folders of core in order of dependence: each may include itself and those before it.
+ENGINE = ("base", "math", "scene", "surfaces", "laws", "state", "kernels", "exec", "dem")
+# Preparation stands beside the engine: it may use these, and the folders named behind each.
+SHARED = ("base", "math", "scene", "surfaces", "laws")
+PREPARATION = {
+    "geometry": (),
+    "rocks": ("geometry",),
+    "fragments": (),
+    "walls": (),
+    "feed": ("rocks", "walls"),
+}
+
+
+def core_rules():
+    """What each folder of core may include, as path prefixes."""
+    rules = {}
+    for number, folder in enumerate(ENGINE):
+        rules[f"core/{folder}"] = tuple(f"core/{name}/" for name in ENGINE[:number + 1])
+    for folder, others in PREPARATION.items():
+        rules[f"core/{folder}"] = tuple(f"core/{name}/" for name in (*SHARED, *others, folder))
+    # The executor knows a machine and nothing of what it computes.
+    rules["core/exec"] = ("core/base/", "core/math/", "core/exec/")
+    return rules
+
+
 # The longest folder that fits a file decides; it may include files whose path starts so.
 ALLOWED = {
-    "core": ("core/",),
-    "core/base": ("core/base/",),
-    "core/math": ("core/base/", "core/math/"),
-    "core/laws": ("core/base/", "core/math/", "core/laws/"),
-    "mbd": ("core/base/", "core/math/", "core/dem/window.hpp", "mbd/"),
-    "io": ("core/", "mbd/", "io/"),
-    "gpu": ("core/", "gpu/"),
+    **core_rules(),
+    "mbd": ("core/base/", "core/math/", "core/scene/", "mbd/"),
+    "io": (*(f"core/{name}/" for name in ("base", "math", "scene", *PREPARATION)), "mbd/", "io/"),
+    "gpu": (*(f"core/{name}/" for name in ENGINE), "gpu/"),
     "app": ("core/", "mbd/", "io/", "gpu/", "app/"),
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/dem.hpp"
+#include "core/scene/dem.hpp"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/member.hpp"
 
-#include "app/assembly.hpp"
 #include "app/bench/first_break.hpp"
 #include "app/bench/size.hpp"
-#include "app/device.hpp"
-#include "app/simulation.hpp"
+#include "app/simulation/assembly.hpp"
+#include "app/simulation/device.hpp"
+#include "app/simulation/simulation.hpp"
 #include "core/base/errors.hpp"
 
 #include <algorithm>
@@ -43,13 +43,13 @@ double smallest_radius(const Assembly& assembly) {
 
 /// What no case can ask for: margins, and holds beyond what the check of a case accepts.
 void apply(const Setting& setting, double interval, Assembly& assembly) {
-  if (setting.margin > 0) assembly.scene.neighbour_margin = setting.margin * smallest_radius(assembly);
+  if (setting.margin > 0) assembly.scene.neighbour_skin = setting.margin * smallest_radius(assembly);
   if (setting.hold == 1) return;
   StepChoice& step = assembly.step;
   step.per_window = setting.hold * static_cast<int>(std::ceil(1.0 * step.per_window / setting.hold));
   step.dt = interval / step.per_window;
   assembly.scene.dt = step.dt;
-  assembly.scene.hold = setting.hold;
+  assembly.scene.substeps = setting.hold;
 }
 
 /// Wall whose force and work count.
@@ -102,8 +102,7 @@ MemberResult run_member(const Member& member) {
   const Case input = load(member, member.setting.overrides);
   Assembly assembly = assemble(input);
   apply(member.setting, input.coupling_interval, assembly);
-  const Loads loads = input.numerics.precision == Precision::mixed ? Loads::single : Loads::double_;
-  Simulation simulation(input, assembly, make_dem(choose_device("cpu", 1), assembly.scene, loads));
+  Simulation simulation(input, assembly, make_dem(choose_device("cpu", 1), assembly.scene, input.numerics.precision));
   Watched run{simulation, tool_of(*member.scene, assembly)};
   MemberResult result;
   result.time_step = assembly.step.dt;

@@ -3,7 +3,7 @@
 
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
-#include "io/replace_file.hpp"
+#include "io/run/replace_file.hpp"
 
 #include <nlohmann/json.hpp>
 

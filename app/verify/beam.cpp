@@ -37,7 +37,7 @@ struct Bent {
 
 /// A cantilever whose tip a smooth plate presses down ever so slowly, beside one that swings freely. Both move
 /// without loss for 20 periods of bending; means under a smooth window know nothing of what still swings.
-Bent bend(const Beam& beam, Loads loads) {
+Bent bend(const Beam& beam, Precision precision) {
   constexpr int samples = 1600;
   const double time = 20 / beam.bending, length = beam.n * grain;
   const int every = static_cast<int>(std::ceil(time / samples / 8e-6));
@@ -48,7 +48,7 @@ Bent bend(const Beam& beam, Loads loads) {
   scene.walls = {
       {"plate", MeshShape{{{edge, -grain, top}, {length + grain, -grain, top}, {length, 2 * grain, top}}, {{0, 1, 2}}},
        LinearMotion{{0, 0, -1e-4 * length / time}}, 1}};
-  Stage stage(scene, loads);
+  Stage stage(scene, precision);
   NewRock free = placed(chain(1, beam.n, true), 1, 1000, {0, 1, 0});
   for (int k = 1; k <= beam.n; ++k)  // nearly the first mode
     free.particles[static_cast<std::size_t>(k)].velocity.z = 1e-4 * length * beam.bending * k * k / (beam.n * beam.n);
@@ -72,7 +72,7 @@ Bent bend(const Beam& beam, Loads loads) {
 void bending(Recorder& out) {
   std::array<Bent, beams.size()> got{};
   for (std::size_t b = 0; b < beams.size(); ++b) {
-    got[b] = bend(beams[b], out.loads());
+    got[b] = bend(beams[b], out.precision());
     const std::string n = std::to_string(beams[b].n);
     out.relative("deflection-" + n, got[b].compliance, beams[b].compliance, {1e-6, 1e-6}, discrete);
     out.relative("frequency-" + n, got[b].frequency, beams[b].bending, {2e-4, 2e-4}, eigenvalue);
@@ -99,12 +99,12 @@ void chain_modes(Recorder& out) {
     constexpr int samples = 2000;
     const double time = 20 / torsional;
     const int every = static_cast<int>(std::ceil(time / samples * 200 * axial));
-    Stage stage(bonded_scene(time / samples / every, paper_bonds()), out.loads());
+    Stage stage(bonded_scene(time / samples / every, paper_bonds()), out.precision());
     NewRock rock = chain(0, beam.n, true);
     for (int p = 1; p <= beam.n; ++p) {
       const double mode = std::sin(pi * p / (2 * beam.n + 1));
       rock.particles[static_cast<std::size_t>(p)].velocity = {1e-3 * mode, 0, 0};
-      rock.particles[static_cast<std::size_t>(p)].spin = {0.1 * mode, 0, 0};
+      rock.particles[static_cast<std::size_t>(p)].angular_velocity = {0.1 * mode, 0, 0};
     }
     stage.insert({rock});
     Signal stretch{every * stage.dt(), {}}, twist = stretch;
@@ -112,7 +112,7 @@ void chain_modes(Recorder& out) {
       stage.advance(every);
       const ParticleSnapshot now = stage.dem().particles();
       stretch.x.push_back(now.velocity.back().x);
-      twist.x.push_back(now.spin.back().x);
+      twist.x.push_back(now.angular_velocity.back().x);
     }
     const std::string n = std::to_string(beam.n), theory = "2 sqrt(k/m) sin(pi/(2(2n+1)))";
     out.relative("axial-" + n, stretch.line_near(axial), axial, {2e-4, 2e-4}, theory);

@@ -19,14 +19,14 @@ constexpr double tension_force = 2827.433, shear_force = 1884.956, bending_momen
 
 /// Where the ends have gone when the loading is complete: j by `shift`, both turned by small angles.
 struct Loading {
-  Vec3d shift{0, 0, 0}, turn_i{0, 0, 0}, turn_j{0, 0, 0};
+  Vec3d shift{0, 0, 0}, orientation_i{0, 0, 0}, orientation_j{0, 0, 0};
 };
 
 Loading operator+(const Loading& a, const Loading& b) {
-  return {a.shift + b.shift, a.turn_i + b.turn_i, a.turn_j + b.turn_j};
+  return {a.shift + b.shift, a.orientation_i + b.orientation_i, a.orientation_j + b.orientation_j};
 }
 Loading operator*(double s, const Loading& a) {
-  return {s * a.shift, s * a.turn_i, s * a.turn_j};
+  return {s * a.shift, s * a.orientation_i, s * a.orientation_j};
 }
 
 // Each alone brings the bond to failure. Ends turn against each other, so that bending brings no shear.
@@ -39,18 +39,19 @@ class Press {
  public:
   static constexpr int steps = 10000;
 
-  Press(const Loading& loading, Loads loads, double strength = 1, double radius_j = grain / 2)
-      : stage_(bonded_scene(dt, paper_bonds(), {friction, 1, 0}), loads) {
+  Press(const Loading& loading, Precision precision, double strength = 1, double radius_j = grain / 2)
+      : stage_(bonded_scene(dt, paper_bonds(), {friction, 1, 0}), precision) {
     const double rate = 1 / ((steps - 0.5) * dt), length = grain / 2 + radius_j;
     const Vec3d drift{10, -20, 5};
     NewRock pair;
     pair.id = 0;
-    pair.particles = {{0, {0, 0, 0}, drift, rate * loading.turn_i, grain / 2, immovable},
-                      {1, {length, 0, 0}, drift + rate * loading.shift, rate * loading.turn_j, radius_j, immovable}};
+    pair.particles = {
+        {0, {0, 0, 0}, drift, rate * loading.orientation_i, grain / 2, immovable},
+        {1, {length, 0, 0}, drift + rate * loading.shift, rate * loading.orientation_j, radius_j, immovable}};
     pair.bonds = {{0, 1, length, bond_radius, strength}};
     pair.colour_begin = {0, 1};
     stage_.insert({pair});
-    spin_ = {pair.particles[0].spin, pair.particles[1].spin};
+    spin_ = {pair.particles[0].angular_velocity, pair.particles[1].angular_velocity};
   }
 
   Stage& stage() { return stage_; }
@@ -58,11 +59,11 @@ class Press {
   double share() const { return stage_.time() / ((steps - 0.5) * dt); }
   Vec3d force_on_j() { return stage_.dem().particles().force[1]; }
   /// Moment on an end that did not spin at first [N m]: it has grown evenly since the start.
-  Vec3d moment_on(int end) {
+  Vec3d torque_on(int end) {
     const ParticleSnapshot s = stage_.dem().particles();
     const auto k = static_cast<std::size_t>(end);
     const double inertia = 0.4 * s.mass[k] * s.radius[k] * s.radius[k];
-    return (2 * inertia / stage_.time()) * (s.spin[k] - spin_[k]);
+    return (2 * inertia / stage_.time()) * (s.angular_velocity[k] - spin_[k]);
   }
 
   static constexpr double friction = 0.5;
@@ -77,7 +78,7 @@ void stiffness(Recorder& out) {
   const double small = 1e-3;
   const Tolerance tolerance{1e-6, 1e-6};  // digits of the references
   const auto loaded = [&](const Loading& loading) {
-    Press press(small * loading, out.loads());
+    Press press(small * loading, out.precision());
     press.stage().advance(1000);
     return press;
   };
@@ -87,27 +88,27 @@ void stiffness(Recorder& out) {
   out.relative("shear", -(0.6 * f.y + 0.8 * f.z) / (across.share() * small * slide), shear, tolerance, source);
   // The end that stays at rest feels the moment: j alone turns, and goes along as the tangent at i wants it.
   Press bent = loaded({{0, 0, -bend * grain / 2}, {0, 0, 0}, {0, bend, 0}});
-  out.relative("bending", bent.moment_on(0).y / (bent.share() * small * bend), bending, tolerance, source);
+  out.relative("bending", bent.torque_on(0).y / (bent.share() * small * bend), bending, tolerance, source);
   Press twisted = loaded({{0, 0, 0}, {0, 0, 0}, {twist, 0, 0}});
-  out.relative("torsion", twisted.moment_on(0).x / (twisted.share() * small * twist), torsion, tolerance, source);
+  out.relative("torsion", twisted.torque_on(0).x / (twisted.share() * small * twist), torsion, tolerance, source);
 }
 
 /// Spheres of two sizes: the section lies between the surfaces. Only i turns.
 void unequal_arms(Recorder& out) {
   const double radius_j = 0.4 * grain / 2, length = grain / 2 + radius_j, arm = grain / 2 / length, angle = 1e-6;
-  Press press({{0, 0, 0}, {0, angle, 0}, {0, 0, 0}}, out.loads(), 1, radius_j);
+  Press press({{0, 0, 0}, {0, angle, 0}, {0, 0, 0}}, out.precision(), 1, radius_j);
   press.stage().advance(1000);
   const double turned = press.share() * angle, slid = turned * grain / 2;  // shear = arm of i x its turn
   const std::string theory = "section at R_i from i: F = k_s A R_i turn, M_j = k_n I turn - R_j F";
   out.relative("shear-force", -press.force_on_j().z / slid, shear, {1e-6, 1e-6}, theory);
-  out.relative("moment-on-small-end", press.moment_on(1).y / turned, bending - (1 - arm) * length * shear * grain / 2,
+  out.relative("moment-on-small-end", press.torque_on(1).y / turned, bending - (1 - arm) * length * shear * grain / 2,
                {1e-6, 1e-6}, theory);
 }
 
 /// Loads until the bond fails: in the first step past complete loading, not before.
 void fails(Recorder& out, const std::string& name, const Loading& loading, BreakMode mode, double strength = 1,
            double steps_off = 1e-6) {
-  Press press(loading, out.loads(), strength);
+  Press press(loading, out.precision(), strength);
   press.stage().advance(Press::steps + 100);
   const std::vector<Breakage> broken = press.stage().dem().take_breakages();
   const bool once = broken.size() == 1;
@@ -120,7 +121,7 @@ void fails(Recorder& out, const std::string& name, const Loading& loading, Break
 template <class Load>
 void at_failure(Recorder& out, const std::string& name, const Loading& loading, double force, double energy,
                 Load&& load) {
-  Press press(loading, out.loads());
+  Press press(loading, out.precision());
   press.stage().advance(Press::steps - 1);
   out.relative(name + "-load", load(press) / press.share(), force, {5e-6, 5e-6}, source);
   press.stage().advance(1);
@@ -149,9 +150,9 @@ void bending_and_torsion(Recorder& out) {
   fails(out, "torsion", wring, BreakMode::shear);
   // Moments on the end that does not turn, at half the loading: the chord of j's way brings little tension then.
   const auto moment = [&](const Loading& loading) {
-    Press press(loading, out.loads());
+    Press press(loading, out.precision());
     press.stage().advance(Press::steps / 2);
-    return (1 / press.share()) * press.moment_on(0);
+    return (1 / press.share()) * press.torque_on(0);
   };
   out.relative("torsion-load", moment({{0, 0, 0}, {0, 0, 0}, {twist, 0, 0}}).x, torque, {1e-5, 1e-5}, source);
   out.relative("bending-load", moment({{0, 0, -bend * grain / 2}, {0, 0, 0}, {0, bend, 0}}).y, bending_moment,
@@ -186,8 +187,8 @@ Contact contact(Press& press) {
 }
 
 /// Sheared apart while pressed: the normal spring stays as it was, friction caps the rest.
-void unglued(Recorder& out) {
-  Press press(-0.5 * pull + shove, out.loads());
+void pressed(Recorder& out) {
+  Press press(-0.5 * pull + shove, out.precision());
   press.stage().advance(Press::steps - 1);
   const Contact before = contact(press);
   press.stage().advance(2);
@@ -210,9 +211,9 @@ double damped_rate(double frequency, double damping, double time) {
 /// One mode of a free pair: how its ends start, and the rate of the mode at any time.
 struct Mode {
   std::string name;
-  double stiffness, inertia;               ///< of the mode
-  double damping = 1;                      ///< share of critical, over that of the bond
-  Vec3d velocity{0, 0, 0}, spin{0, 0, 0};  ///< of j; i has the opposite
+  double stiffness, inertia;                           ///< of the mode
+  double damping = 1;                                  ///< share of critical, over that of the bond
+  Vec3d velocity{0, 0, 0}, angular_velocity{0, 0, 0};  ///< of j; i has the opposite
 };
 
 /// Swings of a free pair die down as 0.1 of critical damping makes them. In shear the ends also turn: the mode's
@@ -228,19 +229,20 @@ void damping(Recorder& out) {
     const double frequency = std::sqrt(mode.stiffness / mode.inertia);
     BondParameters bonds = paper_bonds();
     bonds.damping = 0.1;
-    Stage stage(bonded_scene(2 * pi / frequency / 4000, bonds), out.loads());
+    Stage stage(bonded_scene(2 * pi / frequency / 4000, bonds), out.precision());
     NewRock pair = chain(0, 1, false);
     for (const int end : {0, 1}) {
       NewParticle& p = pair.particles[static_cast<std::size_t>(end)];
       p.velocity = (2.0 * end - 1) * mode.velocity;
-      p.spin = (2.0 * end - 1) * mode.spin;
+      p.angular_velocity = (2.0 * end - 1) * mode.angular_velocity;
     }
     stage.insert({pair});
     stage.advance(5200);  // 1.3 periods
     const ParticleSnapshot s = stage.dem().particles();
-    const Vec3d roll = s.spin[1] - s.spin[0];
-    const Vec3d sliding = s.velocity[1] - s.velocity[0] - cross(0.5 * (s.spin[0] + s.spin[1]), Vec3d{grain, 0, 0});
-    const double rate = dot(mode.velocity, sliding) / (5e-4 * 1e-3) + dot(mode.spin, roll) / (5e-4 * 1e-3);
+    const Vec3d roll = s.angular_velocity[1] - s.angular_velocity[0];
+    const Vec3d sliding = s.velocity[1] - s.velocity[0] -
+                          cross(0.5 * (s.angular_velocity[0] + s.angular_velocity[1]), Vec3d{grain, 0, 0});
+    const double rate = dot(mode.velocity, sliding) / (5e-4 * 1e-3) + dot(mode.angular_velocity, roll) / (5e-4 * 1e-3);
     out.absolute(mode.name, rate, damped_rate(frequency, 0.1 * mode.damping, stage.time()), {1e-3, 1e-3},
                  "damped oscillator");
   }
@@ -254,7 +256,7 @@ const std::array<Case, 9> cases{{
     {"bond/moments", bending_and_torsion},
     {"bond/combined", combined},
     {"bond/independent", independent},
-    {"bond/unglued", unglued},
+    {"bond/unglued", pressed},
     {"bond/damping", damping},
 }};
 

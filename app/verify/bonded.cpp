@@ -97,35 +97,36 @@ double random_number(std::uint64_t thing, std::uint32_t draw) {
   return 2 * uniform(11, Stream::place, thing, draw) - 1;
 }
 
-Quatd turn_by(const Vec3d& rotation) {
+Quatd rotation_by(const Vec3d& rotation) {
   const double angle = norm(rotation);
   if (angle == 0) return {1, 0, 0, 0};
   const Vec3d v = (std::sin(angle / 2) / angle) * rotation;
   return {std::cos(angle / 2), v.x, v.y, v.z};
 }
 
-NewRock placed(NewRock rock, RockId id, ParticleId first, const Vec3d& to, const Quatd& turn) {
+NewRock placed(NewRock rock, RockId id, ParticleId first, const Vec3d& to, const Quatd& orientation) {
   rock.id = id;
   for (NewParticle& p : rock.particles) {
     p.id += first;
-    p.position = to + rotate(turn, p.position);
-    p.velocity = rotate(turn, p.velocity);
-    p.spin = rotate(turn, p.spin);
+    p.position = to + rotate(orientation, p.position);
+    p.velocity = rotate(orientation, p.velocity);
+    p.angular_velocity = rotate(orientation, p.angular_velocity);
   }
   return rock;
 }
 
-void add_rigid_motion(NewRock& rock, const Vec3d& velocity, const Vec3d& spin) {
+void add_rigid_motion(NewRock& rock, const Vec3d& velocity, const Vec3d& angular_velocity) {
   for (NewParticle& p : rock.particles) {
-    p.velocity += velocity + cross(spin, p.position);
-    p.spin += spin;
+    p.velocity += velocity + cross(angular_velocity, p.position);
+    p.angular_velocity += angular_velocity;
   }
 }
 
 Vec3d angular_momentum(const ParticleSnapshot& s) {
   Vec3d sum{0, 0, 0};
   for (std::size_t k = 0; k < s.size(); ++k)
-    sum += s.mass[k] * cross(s.position[k], s.velocity[k]) + (0.4 * s.mass[k] * s.radius[k] * s.radius[k]) * s.spin[k];
+    sum += s.mass[k] * cross(s.position[k], s.velocity[k]) +
+           (0.4 * s.mass[k] * s.radius[k] * s.radius[k]) * s.angular_velocity[k];
   return sum;
 }
 

@@ -40,13 +40,13 @@ void scatter_strength(NewRock& rock);
 double random_number(std::uint64_t thing, std::uint32_t draw);
 
 /// Quaternion of a rotation vector.
-Quatd turn_by(const Vec3d& rotation);
+Quatd rotation_by(const Vec3d& rotation);
 
 /// Moves and turns a rock as a whole, velocities too. @param first  added to the ids
-NewRock placed(NewRock rock, RockId id, ParticleId first, const Vec3d& to, const Quatd& turn = {1, 0, 0, 0});
+NewRock placed(NewRock rock, RockId id, ParticleId first, const Vec3d& to, const Quatd& orientation = {1, 0, 0, 0});
 
 /// Adds a rigid motion about the origin.
-void add_rigid_motion(NewRock& rock, const Vec3d& velocity, const Vec3d& spin);
+void add_rigid_motion(NewRock& rock, const Vec3d& velocity, const Vec3d& angular_velocity);
 
 /// Angular momentum about the origin [kg m2/s].
 Vec3d angular_momentum(const ParticleSnapshot& particles);

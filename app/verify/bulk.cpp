@@ -44,13 +44,13 @@ Scene grains(const PairProperties& pair, double dt) {
 
 /// Of a heap that a lifted cylinder leaves [degrees]. A cone's mean height is h/4 and its mean radius
 /// r/2, so the tangent is 2 mean height/mean radius.
-double heap_angle(const PairProperties& pair, std::uint64_t seed, Loads loads) {
+double heap_angle(const PairProperties& pair, std::uint64_t seed, Precision precision) {
   constexpr double dt = 1.6e-4, d = 0.01, cylinder = 0.045, filling = 0.16, lift = 0.08, duration = 2.4;
   Scene scene = grains(pair, dt);
   scene.walls = {
       {"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1},
       {"cylinder", ProfileShape{{{cylinder, 0}, {cylinder, 2 * filling}}}, LinearMotion{{0, 0, lift}}, smooth}};
-  Stage stage(scene, loads);
+  Stage stage(scene, precision);
   stage.insert(fill(d, cylinder, filling, seed));
   stage.advance(static_cast<int>(std::lround(duration / dt)));
   const ParticleSnapshot s = stage.dem().particles();
@@ -76,7 +76,7 @@ double mean_angle(Recorder& out, const Heap& heap) {
   double low = 90, high = 0, sum = 0;
   constexpr int seeds = 5;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const double angle = heap_angle(heap.pair, seed, out.loads());
+    const double angle = heap_angle(heap.pair, seed, out.precision());
     low = std::min(low, angle);
     high = std::max(high, angle);
     sum += angle;

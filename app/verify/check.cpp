@@ -7,20 +7,19 @@ namespace gyro::verify {
 
 void Recorder::record(const std::string& quantity, double measured, double reference, double error, double tolerance,
                       const std::string& source) {
-  checks_.push_back({case_ + "/" + quantity, loads_ == Loads::single ? "mixed" : "double", measured, reference, error,
-                     tolerance, source});
+  checks_.push_back({case_ + "/" + quantity, to_string(precision_), measured, reference, error, tolerance, source});
 }
 
 void Recorder::relative(const std::string& quantity, double measured, double reference, Tolerance tolerance,
                         const std::string& source) {
   record(quantity, measured, reference, std::abs(measured / reference - 1),
-         loads_ == Loads::single ? tolerance.in_mixed : tolerance.in_double, source);
+         precision_ == Precision::mixed ? tolerance.in_mixed : tolerance.in_double, source);
 }
 
 void Recorder::absolute(const std::string& quantity, double measured, double reference, Tolerance tolerance,
                         const std::string& source) {
   record(quantity, measured, reference, std::abs(measured - reference),
-         loads_ == Loads::single ? tolerance.in_mixed : tolerance.in_double, source);
+         precision_ == Precision::mixed ? tolerance.in_mixed : tolerance.in_double, source);
 }
 
 void Recorder::within(const std::string& quantity, double measured, double low, double high,
@@ -47,13 +46,13 @@ std::vector<Case> all_cases() {
 
 std::vector<Check> run(const Case& verification) {
   std::vector<Check> checks;
-  const auto in = [&](Loads loads) {
-    Recorder recorder(verification.name, loads);
+  const auto in = [&](Precision precision) {
+    Recorder recorder(verification.name, precision);
     verification.run(recorder);
     checks.insert(checks.end(), recorder.checks().begin(), recorder.checks().end());
   };
-  if (verification.precisions != Case::Precisions::mixed) in(Loads::double_);
-  if (verification.precisions != Case::Precisions::one) in(Loads::single);
+  if (verification.precisions != Case::Precisions::mixed) in(Precision::double_);
+  if (verification.precisions != Case::Precisions::one) in(Precision::mixed);
   return checks;
 }
 

@@ -28,9 +28,9 @@ struct Tolerance {
 /// Takes up the checks of one case in one precision.
 class Recorder {
  public:
-  Recorder(std::string case_name, Loads loads) : case_(std::move(case_name)), loads_(loads) {}
+  Recorder(std::string case_name, Precision precision) : case_(std::move(case_name)), precision_(precision) {}
 
-  Loads loads() const { return loads_; }
+  Precision precision() const { return precision_; }
 
   /// |measured/reference - 1| <= tolerance.
   void relative(const std::string& quantity, double measured, double reference, Tolerance tolerance,
@@ -48,7 +48,7 @@ class Recorder {
               const std::string& source);
 
   std::string case_;
-  Loads loads_;
+  Precision precision_;
   std::vector<Check> checks_;
 };
 

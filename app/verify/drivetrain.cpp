@@ -108,12 +108,12 @@ void stall(Recorder& out) {
 
 /// Spheres between a gyrating mantle and a concave, turned by a drive that they slow down.
 /// @return |motor work - losses - rock work - gain of kinetic energy| / rock work
-double lost_in_exchange(Loads loads, double length) {
+double lost_in_exchange(Precision precision, double length) {
   constexpr double dt = 5e-6, idle = 60;
   Scene scene = scene_of(elastic(1.5e9, 0.35, 2600), elastic(182e9, 0.3, 7800), {0.3, 0.5, 0}, dt);
   scene.walls = {{"mantle", ProfileShape{{{0.10, 0.3}, {0.12, -0.3}}}, GyrationMotion{0.02, 2.0, 0}, 1},
                  {"concave", ProfileShape{{{0.17, -0.3}, {0.17, 0.3}}}, Fixed{}, 1}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   std::vector<NewRock> spheres;
   for (int k = 0; k < 12; ++k) {
     const double a = 2 * pi * k / 12;
@@ -134,7 +134,7 @@ double lost_in_exchange(Loads loads, double length) {
 
 /// The work that the drive gives is the work that the rock gets.
 void shared_work(Recorder& out) {
-  out.absolute("account", lost_in_exchange(out.loads(), 0.5e-3), 0, {1e-3, 1e-3}, "first law, windows of 0.5 ms");
+  out.absolute("account", lost_in_exchange(out.precision(), 0.5e-3), 0, {1e-3, 1e-3}, "first law, windows of 0.5 ms");
 }
 
 const std::array<Case, 7> cases{{

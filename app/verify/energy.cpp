@@ -11,19 +11,19 @@ namespace gyro::verify {
 namespace {
 
 /// A rock of 64 spheres between two plates that close at 2 m/s together, for 8 ms.
-EnergyTerms crush(Loads loads, double dt, std::int64_t& broken) {
+EnergyTerms crush(Precision precision, double dt, std::int64_t& broken) {
   BondParameters bonds = paper_bonds();
   bonds.damping = 0.05;
   bonds.tensile_strength = 3.6e6;
   bonds.shear_strength = 2.4e6;
-  NewRock rock = placed(lattice(0, 4, bond_radius), 0, 0, {0, 0, 0}, turn_by({0.3, 0.4, 0}));
+  NewRock rock = placed(lattice(0, 4, bond_radius), 0, 0, {0, 0, 0}, rotation_by({0.3, 0.4, 0}));
   scatter_strength(rock);
   double top = 0;
   for (const NewParticle& p : rock.particles) top = std::max(top, std::abs(p.position.z) + p.radius);
   Scene scene = bonded_scene(dt, bonds, {0.5, 0.25, 0.02});
   scene.walls = {{"top", PlaneShape{{0, 0, top}, {0, 0, -1}}, LinearMotion{{0, 0, -1}}, 1},
                  {"bottom", PlaneShape{{0, 0, -top}, {0, 0, 1}}, LinearMotion{{0, 0, 1}}, 1}};
-  Stage stage(scene, loads);
+  Stage stage(scene, precision);
   stage.insert({rock});
   for (int k = 0; k < 10; ++k) stage.advance(static_cast<int>(std::llround(0.0008 / dt)));
   broken = stage.dem().counts().broken_tension + stage.dem().counts().broken_shear;
@@ -34,7 +34,7 @@ void crushing(Recorder& out) {
   std::vector<double> residuals;
   for (const double step : {2e-6, 1e-6, 5e-7, 2.5e-7}) {
     std::int64_t broken = 0;
-    const EnergyTerms e = crush(out.loads(), step, broken);
+    const EnergyTerms e = crush(out.precision(), step, broken);
     residuals.push_back(std::abs(e.residual()) / e.wall_work);
     const std::string name = std::to_string(std::lround(step * 1e9)) + "-ns";
     out.absolute("residual-" + name, residuals.back(), 0, {5e-3, 5e-3}, "first law");
@@ -45,14 +45,14 @@ void crushing(Recorder& out) {
 
 /// Two unequal spheres, undamped, spun against each other so that their bond is bent and twisted by some 0.3 rad:
 /// largest change of the energy in 2 ms, over the energy.
-double change_of_energy(Loads loads, double dt) {
+double change_of_energy(Precision precision, double dt) {
   BondParameters bonds = paper_bonds();
   bonds.tensile_strength = bonds.shear_strength = 1e15;
   NewRock rock = chain(0, 1, false);
   rock.particles[1].radius *= 0.7;
-  rock.particles[0].spin = {5000, 2000, 1000};
-  rock.particles[1].spin = {-6000, 1000, 3000};
-  Stage stage(bonded_scene(dt, bonds), loads);
+  rock.particles[0].angular_velocity = {5000, 2000, 1000};
+  rock.particles[1].angular_velocity = {-6000, 1000, 3000};
+  Stage stage(bonded_scene(dt, bonds), precision);
   stage.insert({rock});
   const double energy = stage.dem().energy().kinetic;
   double largest = 0;
@@ -67,7 +67,7 @@ double change_of_energy(Loads loads, double dt) {
 /// Loads that are the gradient of the stored energy only to first order in the strains leave an error that no step
 /// makes smaller.
 void far_strained(Recorder& out) {
-  const double coarse = change_of_energy(out.loads(), 4e-7), fine = change_of_energy(out.loads(), 1e-7);
+  const double coarse = change_of_energy(out.precision(), 4e-7), fine = change_of_energy(out.precision(), 1e-7);
   out.absolute("change-at-100-ns", fine, 0, {3e-5, 3e-5}, "conservative loads");
   out.within("order", std::log2(coarse / fine) / 2, 1.8, 2.2, "velocity Verlet");
 }

@@ -44,7 +44,7 @@ void fly(Recorder& out, const Flight& flight) {
   NewRock rock = lattice(0, 5, bond_radius);
   for (NewParticle& p : rock.particles) p.radius *= 1 - flight.unequal * (1 + random_number(p.id, 0));
   add_rigid_motion(rock, {3, -2, 1}, {30, 60, 80});
-  Stage stage(bonded_scene(flight.dt, paper_bonds()), out.loads());
+  Stage stage(bonded_scene(flight.dt, paper_bonds()), out.precision());
   stage.insert({rock});
   const ParticleSnapshot first = stage.dem().particles();
   const double mass = total_mass(first), energy = inner_energy(stage.dem(), mass);

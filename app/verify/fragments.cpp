@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels of fragments against union-find, and fragments of known size found again in the engine.
-#include "core/fragments/labels.hpp"
+#include "core/state/fragment_labels.hpp"
 
 #include "app/verify/bonded.hpp"
 #include "app/verify/check.hpp"
@@ -148,7 +148,7 @@ void pieces_of_a_chain(Recorder& out) {
   std::partial_sum(sizes.begin(), sizes.end() - 1, cuts.begin());
   for (NewBond& b : rock.bonds) b.strength = std::count(cuts.begin(), cuts.end(), b.j) ? 1e-6 : 1;
   for (NewParticle& p : rock.particles) p.velocity.x = p.position.x;  // 1 /s
-  Stage stage(bonded_scene(1e-6, paper_bonds()), out.loads());
+  Stage stage(bonded_scene(1e-6, paper_bonds()), out.precision());
   stage.insert({rock});
   stage.advance(100);
   const FragmentTable table = fragment_table(stage.dem().particles());
@@ -209,7 +209,7 @@ void product_of_blocks(Recorder& out) {
       for (std::size_t s = 0; s < finer.size(); ++s)
         if (k.mesh * pebble <= sieve_series()[s]) finer[s] += n;
     }
-  Stage stage(bonded_scene(1e-6, paper_bonds()), out.loads());
+  Stage stage(bonded_scene(1e-6, paper_bonds()), out.precision());
   stage.insert(rocks);
   stage.advance(10);
   const ParticleSnapshot now = stage.dem().particles();
@@ -234,7 +234,7 @@ void all_or_none(Recorder& out) {
     NewRock rock = lattice(0, 4, bond_radius);
     for (NewBond& b : rock.bonds) b.strength = broken ? 1e-9 : 1;
     for (NewParticle& p : rock.particles) p.velocity = p.position;
-    Stage stage(bonded_scene(1e-6, paper_bonds()), out.loads());
+    Stage stage(bonded_scene(1e-6, paper_bonds()), out.precision());
     stage.insert({rock});
     stage.advance(20);
     out.absolute(broken ? "all-broken" : "none-broken",

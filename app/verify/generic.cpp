@@ -19,10 +19,10 @@ Scene free_scene() {
 }
 
 /// Two turned rocks that collide off centre, and three spheres in their way.
-std::vector<NewRock> collision(const Quatd& turn = {1, 0, 0, 0}, const Vec3d& drift = {0, 0, 0}) {
+std::vector<NewRock> collision(const Quatd& orientation = {1, 0, 0, 0}, const Vec3d& drift = {0, 0, 0}) {
   const NewRock cube = lattice(0, 3, grain / 4);
-  std::vector<NewRock> rocks{placed(cube, 0, 0, {-0.047, 0.01, 0}, turn_by({0.24, 0, 0.32})),
-                             placed(cube, 1, 100, {0.047, -0.01, 0.005}, turn_by({0, 0.42, 0.56}))};
+  std::vector<NewRock> rocks{placed(cube, 0, 0, {-0.047, 0.01, 0}, rotation_by({0.24, 0, 0.32})),
+                             placed(cube, 1, 100, {0.047, -0.01, 0.005}, rotation_by({0, 0.42, 0.56}))};
   for (NewParticle& p : rocks[0].particles) p.velocity = {2, 0, 0};
   for (NewParticle& p : rocks[1].particles) p.velocity = {-2, 0, 0.1};
   for (int k = 0; k < 3; ++k)
@@ -30,15 +30,15 @@ std::vector<NewRock> collision(const Quatd& turn = {1, 0, 0, 0}, const Vec3d& dr
                            {0, -0.5 * (k - 1), -0.5}, 0.01, rock_density, {10, 20, 30}));
   for (NewRock& rock : rocks)
     for (NewParticle& p : rock.particles) {
-      p.position = rotate(turn, p.position);
-      p.velocity = rotate(turn, p.velocity) + drift;
-      p.spin = rotate(turn, p.spin);
+      p.position = rotate(orientation, p.position);
+      p.velocity = rotate(orientation, p.velocity) + drift;
+      p.angular_velocity = rotate(orientation, p.angular_velocity);
     }
   return rocks;
 }
 
-ParticleSnapshot after(const Scene& scene, Loads loads, const std::vector<NewRock>& rocks, int steps) {
-  Stage stage(scene, loads);
+ParticleSnapshot after(const Scene& scene, Precision precision, const std::vector<NewRock>& rocks, int steps) {
+  Stage stage(scene, precision);
   stage.insert(rocks);
   stage.advance(steps);
   return stage.dem().particles();
@@ -47,9 +47,9 @@ ParticleSnapshot after(const Scene& scene, Loads loads, const std::vector<NewRoc
 using Column = std::vector<Vec3d>;
 
 double largest_difference(const Column& a, const Column& b) {
-  double most = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, norm(a[k] - b[k]));
-  return most;
+  double maximum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) maximum = std::max(maximum, norm(a[k] - b[k]));
+  return maximum;
 }
 double largest(const Column& a) {
   return largest_difference(a, Column(a.size(), Vec3d{0, 0, 0}));
@@ -59,7 +59,7 @@ double largest(const Column& a) {
 void free_fall(Recorder& out) {
   Scene scene = scene_of(elastic(1e9, 0.3, rock_density), rigid(), {0, 1, 0}, 1e-5);
   scene.gravity = {0, 0, -9.81};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   stage.insert({sphere(0, {0, 0, 0}, {3, -2, 1}, 0.01, rock_density, {5, 6, 7})});
   stage.advance(100000);
   const double t = stage.time();
@@ -67,13 +67,13 @@ void free_fall(Recorder& out) {
   const Vec3d v{3, -2, 1 - 9.81 * t}, x{3 * t, -2 * t, t - 0.5 * 9.81 * t * t};
   out.absolute("place", norm(s.position[0] - x) / norm(x), 0, {1e-11, 1e-11}, "parabola");
   out.absolute("velocity", norm(s.velocity[0] - v) / norm(v), 0, {1e-11, 1e-11}, "parabola");
-  out.absolute("spin", norm(s.spin[0] - Vec3d{5, 6, 7}), 0, {0, 0}, "nothing turns it");
+  out.absolute("spin", norm(s.angular_velocity[0] - Vec3d{5, 6, 7}), 0, {0, 0}, "nothing turns it");
 }
 
 void drift(Recorder& out) {
   const Vec3d wind{10, -10, 5};
-  const ParticleSnapshot a = after(free_scene(), out.loads(), collision(), 3000);
-  ParticleSnapshot b = after(free_scene(), out.loads(), collision({1, 0, 0, 0}, wind), 3000);
+  const ParticleSnapshot a = after(free_scene(), out.precision(), collision(), 3000);
+  ParticleSnapshot b = after(free_scene(), out.precision(), collision({1, 0, 0, 0}, wind), 3000);
   for (Vec3d& x : b.position) x -= (3000 * dt) * wind;
   out.within("largest-force", largest(a.force), 10, 1e6, "the scene is at work");
   // Places round at 1e-17 m here, which a bond of 2e8 N/m turns into 2e-9 N; a sphere has up to six.
@@ -84,14 +84,15 @@ void drift(Recorder& out) {
 
 void turned_scene(Recorder& out) {
   const Quatd q = normalised(Quatd{0.3, -0.5, 0.7, 0.2});
-  ParticleSnapshot a = after(free_scene(), out.loads(), collision(), 10000);
-  const ParticleSnapshot b = after(free_scene(), out.loads(), collision(q), 10000);
+  ParticleSnapshot a = after(free_scene(), out.precision(), collision(), 10000);
+  const ParticleSnapshot b = after(free_scene(), out.precision(), collision(q), 10000);
   for (std::size_t k = 0; k < a.size(); ++k) {
     a.position[k] = rotate(q, a.position[k]);
-    a.spin[k] = rotate(q, a.spin[k]);
+    a.angular_velocity[k] = rotate(q, a.angular_velocity[k]);
   }
   out.absolute("place", largest_difference(a.position, b.position) / grain, 0, {1e-8, 1e-3}, "rotation invariance");
-  out.absolute("spin", largest_difference(a.spin, b.spin) / largest(a.spin), 0, {1e-8, 1e-3}, "rotation invariance");
+  out.absolute("spin", largest_difference(a.angular_velocity, b.angular_velocity) / largest(a.angular_velocity), 0,
+               {1e-8, 1e-3}, "rotation invariance");
 }
 
 void mirror(Recorder& out) {
@@ -100,16 +101,17 @@ void mirror(Recorder& out) {
     for (NewParticle& p : rock.particles) {
       p.position.x = -p.position.x;
       p.velocity.x = -p.velocity.x;
-      p.spin = {p.spin.x, -p.spin.y, -p.spin.z};
+      p.angular_velocity = {p.angular_velocity.x, -p.angular_velocity.y, -p.angular_velocity.z};
     }
-  const ParticleSnapshot a = after(free_scene(), out.loads(), rocks, 4000);
-  ParticleSnapshot b = after(free_scene(), out.loads(), mirrored, 4000);
+  const ParticleSnapshot a = after(free_scene(), out.precision(), rocks, 4000);
+  ParticleSnapshot b = after(free_scene(), out.precision(), mirrored, 4000);
   for (std::size_t k = 0; k < b.size(); ++k) {
     b.position[k].x = -b.position[k].x;
-    b.spin[k] = {b.spin[k].x, -b.spin[k].y, -b.spin[k].z};
+    b.angular_velocity[k] = {b.angular_velocity[k].x, -b.angular_velocity[k].y, -b.angular_velocity[k].z};
   }
   out.absolute("place", largest_difference(a.position, b.position) / grain, 0, {1e-10, 1e-4}, "mirror symmetry");
-  out.absolute("spin", largest_difference(a.spin, b.spin) / largest(a.spin), 0, {1e-8, 1e-3}, "mirror symmetry");
+  out.absolute("spin", largest_difference(a.angular_velocity, b.angular_velocity) / largest(a.angular_velocity), 0,
+               {1e-8, 1e-3}, "mirror symmetry");
 }
 
 /// Rocks that break while they collide, put in in three orders.
@@ -117,14 +119,15 @@ void permutation(Recorder& out) {
   Scene scene = free_scene();
   scene.bonds->tensile_strength = scene.bonds->shear_strength = 2e6;
   std::vector<NewRock> rocks = collision();
-  const ParticleSnapshot a = after(scene, out.loads(), rocks, 3000);
+  const ParticleSnapshot a = after(scene, out.precision(), rocks, 3000);
   for (const char* order : {"reversed", "mixed"}) {
     if (order[0] == 'r') std::reverse(rocks.begin(), rocks.end());
     if (order[0] == 'm') std::swap(rocks[1], rocks[3]);
-    const ParticleSnapshot b = after(scene, out.loads(), rocks, 3000);
+    const ParticleSnapshot b = after(scene, out.precision(), rocks, 3000);
     out.absolute(std::string(order) + "-places", largest_difference(a.position, b.position), 0, {0, 0}, "to the bit");
     out.absolute(std::string(order) + "-forces", largest_difference(a.force, b.force), 0, {0, 0}, "to the bit");
-    out.absolute(std::string(order) + "-spins", largest_difference(a.spin, b.spin), 0, {0, 0}, "to the bit");
+    out.absolute(std::string(order) + "-spins", largest_difference(a.angular_velocity, b.angular_velocity), 0, {0, 0},
+                 "to the bit");
   }
 }
 
@@ -152,7 +155,7 @@ void time_reversal(Recorder& out) {
                            2.0 * Vec3d{r(3), r(4), r(5)}, radius * (0.9 + 0.1 * r(9)), rock_density,
                            {r(6), r(7), r(8)}));
   }
-  const ParticleSnapshot far = after(scene, out.loads(), there, 1000);
+  const ParticleSnapshot far = after(scene, out.precision(), there, 1000);
   std::vector<NewRock> back = there;
   double turned = 0, missed = 0;
   for (std::size_t k = 0; k < back.size(); ++k) {
@@ -160,9 +163,9 @@ void time_reversal(Recorder& out) {
     turned = std::max(turned, norm(far.velocity[k] - p.velocity));
     p.position = far.position[k];
     p.velocity = -far.velocity[k];
-    p.spin = -far.spin[k];
+    p.angular_velocity = -far.angular_velocity[k];
   }
-  const ParticleSnapshot home = after(scene, out.loads(), back, 1000);
+  const ParticleSnapshot home = after(scene, out.precision(), back, 1000);
   for (std::size_t k = 0; k < back.size(); ++k)
     missed = std::max(missed, norm(home.position[k] - there[k].particles[0].position) / radius);
   out.within("velocity-changed", turned, 1, 100, "they did collide [m/s]");
@@ -172,7 +175,7 @@ void time_reversal(Recorder& out) {
 void momenta(Recorder& out) {
   Scene scene = free_scene();
   scene.bonds->tensile_strength = scene.bonds->shear_strength = 2e6;
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   stage.insert(collision());
   const Vec3d linear = stage.dem().momentum(), angular = angular_momentum(stage.dem().particles());
   stage.advance(5000);

@@ -20,7 +20,7 @@ void compare(Recorder& out, const ImpactResult& got, const ElasticImpact& theory
 
 void two_spheres(Recorder& out, const Material& material) {
   const double radius = 0.01, speed = 10;
-  const ImpactResult got = meet(material, {0, 1, 0}, radius, speed, 1000, out.loads());
+  const ImpactResult got = meet(material, {0, 1, 0}, radius, speed, 1000, out.precision());
   compare(out, got, {youngs_of_pair(material), radius / 2, sphere_mass(radius, material.density) / 2, 2 * speed},
           -got.velocity.x / speed);
 }
@@ -32,7 +32,7 @@ void converges(Recorder& out) {
   const ElasticImpact theory(youngs_of_pair(material), radius / 2, sphere_mass(radius, material.density) / 2,
                              2 * speed);
   const auto error = [&](double steps) {
-    return meet(material, {0, 1, 0}, radius, speed, steps, out.loads()).overlap / theory.overlap - 1;
+    return meet(material, {0, 1, 0}, radius, speed, steps, out.precision()).overlap / theory.overlap - 1;
   };
   out.within("error-of-overlap-by-half-a-step", error(50) / error(100), 3.5, 4.5, "second order of velocity Verlet");
 }
@@ -40,11 +40,11 @@ void converges(Recorder& out) {
 void on_wall(Recorder& out, const Material& material) {
   const double radius = 0.1, speed = 0.2;
   WallImpact impact{material, {0, 1, 0}, radius, {0, 0, -speed}};
-  const ImpactResult plane = hit_wall(impact, out.loads());
+  const ImpactResult plane = hit_wall(impact, out.precision());
   compare(out, plane, {youngs_against_rigid(material), radius, sphere_mass(radius, material.density), speed},
           plane.velocity.z / speed);
   impact.mesh = true;
-  const ImpactResult mesh = hit_wall(impact, out.loads());
+  const ImpactResult mesh = hit_wall(impact, out.precision());
   out.relative("force-on-triangle", mesh.force, plane.force, {1e-12, 1e-12}, "the same impact on a plane");
   out.relative("rebound-from-triangle", mesh.velocity.z, plane.velocity.z, {1e-12, 1e-12},
                "the same impact on a plane");

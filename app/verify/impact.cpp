@@ -17,7 +17,7 @@ ImpactResult watch(Stage& stage, const std::function<double(const ParticleSnapsh
     const ParticleSnapshot now = stage.dem().particles();
     const double deep = overlap(now);
     out.velocity = now.velocity[0];
-    out.spin = now.spin[0];
+    out.angular_velocity = now.angular_velocity[0];
     if (deep <= 0) {
       out.duration = stage.time() + stage.dt() * deep / (before - deep);
       break;
@@ -37,7 +37,7 @@ ElasticImpact::ElasticImpact(double youngs, double radius, double mass, double s
   duration = 2.943275 * overlap / speed;
 }
 
-ImpactResult hit_wall(const WallImpact& impact, Loads loads) {
+ImpactResult hit_wall(const WallImpact& impact, Precision precision) {
   const Material& m = impact.material;
   const ElasticImpact elastic_one(youngs_against_rigid(m), impact.radius, sphere_mass(impact.radius, m.density),
                                   -impact.velocity.z);
@@ -48,20 +48,21 @@ ImpactResult hit_wall(const WallImpact& impact, Loads loads) {
   } else {
     scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
   }
-  Stage stage(scene, loads);
-  stage.insert({sphere(0, {0, 0, impact.radius}, impact.velocity, impact.radius, m.density, impact.spin)});
+  Stage stage(scene, precision);
+  stage.insert({sphere(0, {0, 0, impact.radius}, impact.velocity, impact.radius, m.density, impact.angular_velocity)});
   return watch(
       stage, [&](const ParticleSnapshot& s) { return s.radius[0] - s.position[0].z; }, 10 * elastic_one.duration);
 }
 
-ObliqueResult hit_obliquely(const ObliqueImpact& impact, Loads loads) {
+ObliqueResult hit_obliquely(const ObliqueImpact& impact, Precision precision) {
   const Vec3d along{std::cos(0.5), std::sin(0.5), 0}, axis{-along.y, along.x, 0};
-  WallImpact in_space{impact.material, impact.pair, impact.radius, impact.slide * along, impact.spin * axis};
+  WallImpact in_space{impact.material, impact.pair, impact.radius, impact.slide * along,
+                      impact.angular_velocity * axis};
   in_space.velocity.z = -impact.fall;
   in_space.steps_per_contact = 2000;
-  const ImpactResult got = hit_wall(in_space, loads);
-  const Vec3d strange = got.spin - dot(got.spin, axis) * axis;
-  return {dot(got.velocity, along), got.velocity.z, dot(got.spin, axis),
+  const ImpactResult got = hit_wall(in_space, precision);
+  const Vec3d strange = got.angular_velocity - dot(got.angular_velocity, axis) * axis;
+  return {dot(got.velocity, along), got.velocity.z, dot(got.angular_velocity, axis),
           std::abs(dot(got.velocity, axis)) + impact.radius * norm(strange)};
 }
 
@@ -72,10 +73,10 @@ double mean_lever(const ObliqueImpact& impact) {
 }
 
 ImpactResult meet(const Material& material, const PairProperties& pair, double radius, double speed,
-                  double steps_per_contact, Loads loads) {
+                  double steps_per_contact, Precision precision) {
   const ElasticImpact elastic_one(youngs_of_pair(material), radius / 2, sphere_mass(radius, material.density) / 2,
                                   2 * speed);
-  Stage stage(scene_of(material, rigid(), pair, elastic_one.duration / steps_per_contact), loads);
+  Stage stage(scene_of(material, rigid(), pair, elastic_one.duration / steps_per_contact), precision);
   stage.insert({sphere(0, {-radius, 0, 0}, {speed, 0, 0}, radius, material.density)});
   stage.insert({sphere(1, {radius, 0, 0}, {-speed, 0, 0}, radius, material.density)});
   return watch(

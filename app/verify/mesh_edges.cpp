@@ -33,7 +33,7 @@ void over_a_convex_edge(Recorder& out) {
   const int steps = 2000;
   Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 1e-6);
   scene.walls = {stair()};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   const Vec3d start{radius - k, 0.1, 0.2 + radius}, step = (way / steps) * Vec3d{-1, 0.3, -1};
   stage.insert({sphere(0, start, 1 / scene.dt * step, radius, held)});
   double worst = 0, largest_step = 0;
@@ -60,7 +60,7 @@ void rolls_over_a_convex_edge(Recorder& out) {
   Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 2e-6);
   scene.gravity = {0, 0, -9.81};
   scene.walls = {stair()};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   const double mass = sphere_mass(radius, rock.density);
   const double deep = static_overlap(youngs_against_rigid(rock), radius, mass * 9.81);
   stage.insert({sphere(0, {0.002, 0, 0.2 + radius - deep}, {-0.1, 0.03, 0}, radius, rock.density)});
@@ -78,21 +78,22 @@ void rolls_over_a_convex_edge(Recorder& out) {
 /// Right corners are full contacts.
 void corners(Recorder& out) {
   const double a = 0.02 * radius, b = 0.03 * radius, c = 0.01 * radius;
-  const Vec3d two = force_on_held({stair()}, rock, radius, {a - radius, 0.1, radius - b}, out.loads());
+  const Vec3d two = force_on_held({stair()}, rock, radius, {a - radius, 0.1, radius - b}, out.precision());
   out.relative("two-faces-riser", -two.x, hertz_force(rock, radius, a), {1e-9, 1e-6}, "Hertz on each face");
   out.relative("two-faces-floor", two.z, hertz_force(rock, radius, b), {1e-9, 1e-6}, "Hertz on each face");
   const Wall box{"box", MeshShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}},
                  Fixed{}, 1};
-  const Vec3d three = force_on_held({box}, rock, radius, {radius - a, radius - b, radius - c}, out.loads());
+  const Vec3d three = force_on_held({box}, rock, radius, {radius - a, radius - b, radius - c}, out.precision());
   out.relative("three-faces-x", three.x, hertz_force(rock, radius, a), {1e-9, 1e-6}, "Hertz on each face");
   out.relative("three-faces-y", three.y, hertz_force(rock, radius, b), {1e-9, 1e-6}, "Hertz on each face");
   out.relative("three-faces-z", three.z, hertz_force(rock, radius, c), {1e-9, 1e-6}, "Hertz on each face");
 }
 
 /// Where a sphere above a seam is pressed in by `deep` on both faces, the force over that on a plane, less 1.
-double seam_error(double degrees, Loads loads) {
+double seam_error(double degrees, Precision precision) {
   const double deep = 0.01 * radius, half = (180 - degrees) / 2 * pi / 180;
-  const Vec3d force = force_on_held({fold(degrees)}, rock, radius, {0, 0.1, (radius - deep) / std::cos(half)}, loads);
+  const Vec3d force =
+      force_on_held({fold(degrees)}, rock, radius, {0, 0.1, (radius - deep) / std::cos(half)}, precision);
   return norm(force - Vec3d{0, 0, hertz_force(rock, radius, deep)}) / hertz_force(rock, radius, deep);
 }
 
@@ -100,20 +101,21 @@ double seam_error(double degrees, Loads loads) {
 void flat_seams(Recorder& out) {
   for (const double degrees : {178.0, 179.0, 179.9}) {
     const double bend = (180 - degrees) * pi / 180;
-    out.absolute("error-at-" + std::to_string(std::lround(10 * degrees)) + "-tenths", seam_error(degrees, out.loads()),
-                 0, {bend * bend, bend * bend}, "a plane, to the second order of the fold");
+    out.absolute("error-at-" + std::to_string(std::lround(10 * degrees)) + "-tenths",
+                 seam_error(degrees, out.precision()), 0, {bend * bend, bend * bend},
+                 "a plane, to the second order of the fold");
   }
 }
 
 /// Largest step of the force when a held sphere crosses a fold in so many steps, over the force on a plane.
-double largest_step(double degrees, int steps, Loads loads) {
+double largest_step(double degrees, int steps, Precision precision) {
   const double deep = 0.01 * radius, half = std::abs(180 - degrees) / 2 * pi / 180;
   const bool valley = degrees < 180;
   const double height = valley ? (radius - deep) / std::cos(half) : radius - deep;
   const double width = 1.3 * std::max(height * std::sin(half), 0.02 * radius);
   Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 1e-6);
   scene.walls = {fold(degrees)};
-  Stage stage(scene, loads);
+  Stage stage(scene, precision);
   stage.insert({sphere(0, {-width, 0.1, height}, {2 * width / (steps * scene.dt), 0, 0}, radius, held)});
   stage.advance(1);
   double largest = 0;
@@ -132,7 +134,7 @@ void no_jumps(Recorder& out) {
   const double folds[] = {90, 119, 121, 150, 175, 179, 179.9, 190, 240, 270};
   for (const double degrees : folds) {
     const std::string name = "fold-of-" + std::to_string(std::lround(10 * degrees)) + "-tenths";
-    const double ratio = largest_step(degrees, 10000, out.loads()) / largest_step(degrees, 1000, out.loads());
+    const double ratio = largest_step(degrees, 10000, out.precision()) / largest_step(degrees, 1000, out.precision());
     out.within(name, ratio, 0, 0.16, "continuous: a tenth of the step, a tenth of the largest change");
   }
 }
@@ -145,7 +147,7 @@ void friction_across_a_valley(Recorder& out) {
   const int steps = 2000;
   Scene scene = scene_of(rock, rigid(), {100, 1, 0}, 1e-6);
   scene.walls = {fold(degrees)};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   stage.insert({sphere(0, {-way, 0.1, height}, {2 * way / (steps * scene.dt), 0, 0}, radius, held)});
   stage.advance(steps);
 
@@ -168,7 +170,7 @@ void tip(Recorder& out) {
                                {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}},
                      Fixed{}, 1};
   const Vec3d centre{0.1 * radius, 0.2 * radius, 0.95 * radius};
-  const Vec3d force = force_on_held({pyramid}, rock, radius, centre, out.loads());
+  const Vec3d force = force_on_held({pyramid}, rock, radius, centre, out.precision());
   const double expected = hertz_force(rock, radius, radius - norm(centre));
   out.relative("force", norm(force), expected, {1e-9, 1e-6}, "Hertz: one contact");
   out.absolute("direction", norm(1 / norm(force) * force - 1 / norm(centre) * centre), 0, {1e-12, 1e-6},

@@ -26,13 +26,13 @@ Vec3d heading(int ray) {
 }
 
 /// Spheres that leave the middle of a floor on eight headings.
-std::unique_ptr<Stage> start(const Wall& floor, bool rolling, Loads loads) {
+std::unique_ptr<Stage> start(const Wall& floor, bool rolling, Precision precision) {
   Scene scene = scene_of(rock, rigid(), {rolling ? 0.3 : 5.0, 0.5, 0}, 1e-5);
   scene.walls = {floor};
   const double deep = static_overlap(youngs_against_rigid(rock), radius, preload);
   // Gravity presses and pulls a little sideways, so that friction works while the spheres roll.
   if (rolling) scene.gravity = {2, 1, -preload / sphere_mass(radius, rock.density)};
-  auto stage = std::make_unique<Stage>(scene, loads);
+  auto stage = std::make_unique<Stage>(scene, precision);
   for (int k = 0; k < rays; ++k) {
     const Vec3d along = heading(k), axis{-along.y, along.x, 0},
                 begin = 0.15 * along + Vec3d{0.07, -0.03, radius - deep};
@@ -44,7 +44,7 @@ std::unique_ptr<Stage> start(const Wall& floor, bool rolling, Loads loads) {
 
 /// Largest differences of two runs, at every fiftieth step.
 struct Differences {
-  double height = 0, place = 0, normal = 0, friction = 0, spin = 0, energy = 0;
+  double height = 0, place = 0, normal = 0, friction = 0, angular_velocity = 0, energy = 0;
 
   void take(const ParticleSnapshot& a, const ParticleSnapshot& b) {
     for (std::size_t k = 0; k < a.size(); ++k) {
@@ -53,13 +53,14 @@ struct Differences {
       place = std::max(place, std::hypot(x.x, x.y) / radius);
       normal = std::max(normal, std::abs(f.z) / preload);
       friction = std::max(friction, std::hypot(f.x, f.y) / preload);
-      spin = std::max(spin, norm(a.spin[k] - b.spin[k]) * radius / speed);
+      angular_velocity =
+          std::max(angular_velocity, norm(a.angular_velocity[k] - b.angular_velocity[k]) * radius / speed);
     }
   }
 };
 
-Differences compare(int splits, bool rolling, Loads loads) {
-  const auto mesh = start(flat(splits), rolling, loads), plane = start(floor_plane(), rolling, loads);
+Differences compare(int splits, bool rolling, Precision precision) {
+  const auto mesh = start(flat(splits), rolling, precision), plane = start(floor_plane(), rolling, precision);
   Differences d;
   for (int k = 0; k < steps; k += every) {
     mesh->advance(every);
@@ -72,17 +73,17 @@ Differences compare(int splits, bool rolling, Loads loads) {
 }
 
 void rolls(Recorder& out, int splits) {
-  const Differences d = compare(splits, true, out.loads());
+  const Differences d = compare(splits, true, out.precision());
   out.absolute("height", d.height, 0, {1e-9, 1e-9}, plane_run + ", over R");
   out.absolute("normal-force", d.normal, 0, {1e-9, 1e-6}, plane_run + ", over the preload");
   out.absolute("friction", d.friction, 0, {1e-9, 1e-6}, plane_run + ", over the preload");
   out.absolute("path", d.place, 0, {1e-9, 1e-6}, plane_run + ", over R");
-  out.absolute("spin", d.spin, 0, {1e-9, 1e-6}, plane_run);
+  out.absolute("spin", d.angular_velocity, 0, {1e-9, 1e-6}, plane_run);
   out.absolute("energy", d.energy, 0, {1e-9, 1e-6}, plane_run);
 }
 
 void slides(Recorder& out, int splits) {
-  const Differences d = compare(splits, false, out.loads());
+  const Differences d = compare(splits, false, out.precision());
   out.absolute("normal-force", d.normal, 0, {1e-9, 1e-6}, plane_run + ", over the preload");
   out.absolute("friction", d.friction, 0, {1e-9, 1e-6}, plane_run + ", over the preload");
 }
@@ -97,7 +98,7 @@ void fans(Recorder& out) {
         for (const double part : {0.0, 0.3, 0.5}) {
           const double angle = 2 * pi * (1 + part) / n;
           const Vec3d centre{r * std::cos(angle), r * std::sin(angle), side * (radius - deep)};
-          const Vec3d force = force_on_held({{"fan", fan(n), Fixed{}, 1}}, rock, radius, centre, out.loads());
+          const Vec3d force = force_on_held({{"fan", fan(n), Fixed{}, 1}}, rock, radius, centre, out.precision());
           worst = std::max(worst, norm(force - Vec3d{0, 0, side * expected}) / expected);
         }
   out.absolute("largest-error-of-force", worst, 0, {1e-11, 1e-6}, "Hertz: one contact on fans of 3 to 12 triangles");

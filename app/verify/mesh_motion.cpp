@@ -3,8 +3,8 @@
 #include "app/verify/check.hpp"
 #include "app/verify/meshes.hpp"
 #include "app/verify/rig.hpp"
+#include "core/scene/wall_motion.hpp"
 #include "core/walls/liners.hpp"
-#include "core/walls/motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,14 +43,14 @@ void belt(Recorder& out) {
   scene.bonds = BondParameters{2e9, 1e9, 1e9, 1e9, 0.05};
   scene.walls = {floor_mesh(3)};
   scene.walls[0].motion = LinearMotion{{belt, 0, 0}};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   const double z = radius - static_overlap(youngs_against_rigid(rock), radius, sphere_mass(radius, rock.density) * g);
   stage.insert({block(0, {0, 0.3, z}), sphere(3, {0, -0.3, z}, {0, 0, 0}, radius, rock.density)});
   double rolls_at = 0, comes_at = 0;
   while (stage.time() < 0.25) {
     stage.advance(10);
     const ParticleSnapshot s = stage.dem().particles();
-    const double patch = s.velocity[3].x - radius * s.spin[3].y;
+    const double patch = s.velocity[3].x - radius * s.angular_velocity[3].y;
     if (rolls_at == 0 && patch > belt * (1 - 1e-3)) rolls_at = stage.time();
     if (comes_at == 0 && s.velocity[0].x > belt * (1 - 1e-3)) comes_at = stage.time();
   }
@@ -64,34 +64,34 @@ void belt(Recorder& out) {
 
 /// The spring of a held sphere takes up the velocity of the disc below it, step by step.
 void disc_under_a_held_sphere(Recorder& out) {
-  const double spin = 10, deep = 1e-4, dt = 1e-7;
+  const double angular_velocity = 10, deep = 1e-4, dt = 1e-7;
   const Vec3d axis = 1 / std::sqrt(3.0) * Vec3d{0, 0, std::sqrt(3.0)}, point{0.1, 0.2, 0}, foot{0.35, -0.1, 0};
   Scene scene = scene_of(rock, rigid(), {10, 1, 0}, dt);
   scene.walls = {floor_mesh(3)};
-  scene.walls[0].motion = RotationMotion{axis, point, spin};
-  Stage stage(scene, out.loads());
+  scene.walls[0].motion = RotationMotion{axis, point, angular_velocity};
+  Stage stage(scene, out.precision());
   stage.insert({sphere(0, foot + Vec3d{0, 0, radius - deep}, {0, 0, 0}, radius, held)});
   stage.advance(1);
   const Vec3d before = stage.dem().particles().force[0];
   stage.advance(1);
   const double stiffness = 8 * rock.shear_modulus / (2 - rock.poisson_ratio) * std::sqrt(radius * deep);
   const Vec3d got = 1 / (stiffness * dt) * (stage.dem().particles().force[0] - before);
-  const Vec3d expected = cross(spin * axis, foot - point);
+  const Vec3d expected = cross(angular_velocity * axis, foot - point);
   out.absolute("velocity-of-contact", norm(Vec3d{got.x, got.y, 0} - expected) / norm(expected), 0, {1e-10, 1e-5},
                "omega x r, from the change of the tangential force");
 }
 
 /// A ball that rolls on a turntable goes round in a circle at 2/7 of its speed.
 void ball_on_a_turntable(Recorder& out) {
-  const double spin = 10, v = 0.2, dt = 1e-5, orbit = 2 * spin / 7, period = 2 * pi / orbit;
+  const double angular_velocity = 10, v = 0.2, dt = 1e-5, orbit = 2 * angular_velocity / 7, period = 2 * pi / orbit;
   Scene scene = scene_of(rock, rigid(), {0.8, 0.5, 0}, dt);
   scene.gravity = {0, 0, -g};
   scene.walls = {floor_mesh(3)};
-  scene.walls[0].motion = RotationMotion{{0, 0, 1}, {0, 0, 0}, spin};
-  Stage stage(scene, out.loads());
+  scene.walls[0].motion = RotationMotion{{0, 0, 1}, {0, 0, 0}, angular_velocity};
+  Stage stage(scene, out.precision());
   const double z = radius - static_overlap(youngs_against_rigid(rock), radius, sphere_mass(radius, rock.density) * g);
   // No slip at the start: v + w x (-R z) = spin x r.
-  const Vec3d start{0.1, 0, z}, velocity{0, v, 0}, under{0, spin * start.x, 0};
+  const Vec3d start{0.1, 0, z}, velocity{0, v, 0}, under{0, angular_velocity * start.x, 0};
   const Vec3d slip = under - velocity;
   stage.insert({sphere(0, start, velocity, radius, rock.density, {slip.y / radius, -slip.x / radius, 0})});
   const double quarter = std::round(period / 4 / dt);
@@ -114,7 +114,7 @@ void action_and_reaction(Recorder& out) {
                  {"ring", ring, RotationMotion{{0, 0, 1}, {0, 0, 0}, 0.7}, 1},
                  {"mesh", split_square(3, 40), CircularMotion{0.01, 0.5}, 1}};
   for (Vec3d& v : std::get<MeshShape>(scene.walls[2].shape).vertices) v.z += 2 + 0.05 * v.x;
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   for (int k = 0; k < 6; ++k) {
     const double angle = k * pi / 3;
     const Vec3d along{std::cos(angle), std::sin(angle), 0};
@@ -124,11 +124,12 @@ void action_and_reaction(Recorder& out) {
   const auto angular = [](const ParticleSnapshot& s) {
     Vec3d l{0, 0, 0};
     for (std::size_t k = 0; k < s.size(); ++k)
-      l += s.mass[k] * cross(s.position[k], s.velocity[k]) + 0.4 * s.mass[k] * s.radius[k] * s.radius[k] * s.spin[k];
+      l += s.mass[k] * cross(s.position[k], s.velocity[k]) +
+           0.4 * s.mass[k] * s.radius[k] * s.radius[k] * s.angular_velocity[k];
     return l;
   };
   const Vec3d p0 = stage.dem().momentum(), l0 = angular(stage.dem().particles());
-  Vec3d impulse[3]{}, moment[3]{};
+  Vec3d impulse[3]{}, torque[3]{};
   double passed = 0;
   for (int k = 0; k < 1250; ++k) {
     const double before = stage.time();
@@ -136,7 +137,7 @@ void action_and_reaction(Recorder& out) {
     for (std::size_t w = 0; w < 3; ++w) {
       const WallLoad load = stage.dem().wall_loads()[w];
       impulse[w] += (stage.time() - before) * load.force;
-      moment[w] += (stage.time() - before) * load.moment;
+      torque[w] += (stage.time() - before) * load.torque;
       passed += (stage.time() - before) * norm(load.force);
     }
   }
@@ -144,13 +145,13 @@ void action_and_reaction(Recorder& out) {
   double pushing = 0;
   for (std::size_t w = 0; w < 3; ++w) pushing += norm(stage.dem().wall_loads()[w].force);
   const Vec3d gained = stage.dem().momentum() - p0, turned = angular(s) - l0;
-  double least = norm(impulse[0]);
-  for (const Vec3d& i : impulse) least = std::min(least, norm(i));
-  out.within("least-impulse-of-a-wall-over-all", least / passed, 1e-3, 1, "each wall was hit");
+  double minimum = norm(impulse[0]);
+  for (const Vec3d& i : impulse) minimum = std::min(minimum, norm(i));
+  out.within("least-impulse-of-a-wall-over-all", minimum / passed, 1e-3, 1, "each wall was hit");
   out.absolute("free-at-the-end", pushing, 0, {0, 0}, "no contact at the end");
   out.absolute("momentum", norm(gained + impulse[0] + impulse[1] + impulse[2]) / passed, 0, {1e-12, 1e-12},
                "action and reaction");
-  out.absolute("angular-momentum", norm(turned + moment[0] + moment[1] + moment[2]) / (4 * passed), 0, {1e-12, 1e-5},
+  out.absolute("angular-momentum", norm(turned + torque[0] + torque[1] + torque[2]) / (4 * passed), 0, {1e-12, 1e-5},
                "action and reaction");
 }
 
@@ -161,7 +162,7 @@ void million_gyrations(Recorder& out) {
   const ProfileShape mantle{{{0.5, 1.5}, {0.9, 0}}};
   Scene scene = scene_of(rock, rigid(), {0, 1, 0}, dt);
   scene.walls = {{"mantle", revolve(mantle, 64), motion, 1}};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   const double out_of_axis = std::sqrt(0.5), z = 0.7, r = 0.9 - 0.4 * z / 1.5 + 0.045;
   stage.insert({sphere(0, {r * out_of_axis, r * out_of_axis, z}, {0, 0, 0}, 0.05, held)});
   // Its own spin undoes the turn that the cone of its axis makes, so that each gyration ends where it began.

@@ -41,10 +41,10 @@ struct Push {
   double inward = 0, up = 0;
 };
 
-Push push_of(const Wall& wall, Loads loads) {
+Push push_of(const Wall& wall, Precision precision) {
   Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 1e-9);
   scene.walls = {wall};
-  Stage stage(scene, loads);
+  Stage stage(scene, precision);
   stage.insert(spheres());
   stage.advance(1);
   const ParticleSnapshot s = stage.dem().particles();
@@ -58,7 +58,7 @@ Push push_of(const Wall& wall, Loads loads) {
 }
 
 void cone_of_triangles(Recorder& out) {
-  const Push exact = push_of({"cone", cone(1), Fixed{}, 1}, out.loads());
+  const Push exact = push_of({"cone", cone(1), Fixed{}, 1}, out.precision());
   double expected = 0;
   const double slant = std::hypot(0.5, 1.2);
   for (const NewRock& one : spheres()) {
@@ -71,7 +71,7 @@ void cone_of_triangles(Recorder& out) {
   out.relative("profile-up", exact.up, expected * 0.5 / slant, {1e-9, 1e-6}, "Hertz at the distance to the cone");
   double before = 0;
   for (const int fine : {1, 3, 10}) {  // about 1e3, 1e4 and 1e5 triangles
-    const Push got = push_of({"cone", revolve(cone(8 * fine), 64 * fine), Fixed{}, 1}, out.loads());
+    const Push got = push_of({"cone", revolve(cone(8 * fine), 64 * fine), Fixed{}, 1}, out.precision());
     const double error = std::hypot(got.inward - exact.inward, got.up - exact.up) / std::hypot(exact.inward, exact.up);
     const std::string name = std::to_string(2 * 8 * 64 * fine * fine) + "-triangles";
     const double sagitta = 1.5 * 0.5 * std::pow(pi / (64 * fine), 2) / (0.10 * radius);  // over the least overlap

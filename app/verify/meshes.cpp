@@ -62,10 +62,10 @@ double hertz_force(const Material& material, double radius, double overlap) {
 }
 
 Vec3d force_on_held(const std::vector<Wall>& walls, const Material& material, double radius, const Vec3d& centre,
-                    Loads loads) {
+                    Precision precision) {
   Scene scene = scene_of(material, rigid(), {0, 1, 0}, 1e-9);
   scene.walls = walls;
-  Stage stage(scene, loads);
+  Stage stage(scene, precision);
   stage.insert({sphere(0, centre, {0, 0, 0}, radius, held)});
   stage.advance(1);
   return stage.dem().particles().force[0];

@@ -22,6 +22,6 @@ double hertz_force(const Material& material, double radius, double overlap);
 
 /// Force on a sphere that nothing moves, held in place for a step [N].
 Vec3d force_on_held(const std::vector<Wall>& walls, const Material& material, double radius, const Vec3d& centre,
-                    Loads loads);
+                    Precision precision);
 
 }  // namespace gyro::verify

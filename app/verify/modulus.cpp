@@ -79,7 +79,7 @@ struct Response {
 
 /// Both from the engine: the held spheres approach at a constant speed; differences between two moments know
 /// nothing of the start nor of the damping's constant share.
-Response slow_test(const Specimen& s, Loads loads) {
+Response slow_test(const Specimen& s, Precision precision) {
   constexpr double dt = 2e-6, speed = 1e-4;
   BondParameters bonds = paper_bonds();
   bonds.damping = 0.3;
@@ -94,7 +94,7 @@ Response slow_test(const Specimen& s, Loads loads) {
                               s.grip[k] != 0 ? immovable : rock_density});
   for (const TemplateBond& b : s.rock.bonds) rock.bonds.push_back({b.i, b.j, b.length, b.radius, 1});
   rock.colour_begin = s.rock.colour_begin;
-  Stage stage(bonded_scene(dt, bonds), loads);
+  Stage stage(bonded_scene(dt, bonds), precision);
   stage.insert({rock});
   const Gauge gauge(s);
   const auto now = [&] {
@@ -161,7 +161,7 @@ Response static_solution(const Specimen& s) {
 
 void platens(Recorder& out) {
   const Specimen specimen(14);
-  const Response dynamic = slow_test(specimen, out.loads()), exact = static_solution(specimen);
+  const Response dynamic = slow_test(specimen, out.precision()), exact = static_solution(specimen);
   out.relative("force", dynamic.force, exact.force, {1e-4, 1e-4}, "sparse static solution of the same packing");
   out.relative("strain", dynamic.strain, exact.strain, {1e-4, 1e-4}, "sparse static solution of the same packing");
   out.within("modulus-to-voigt", dynamic.force / dynamic.strain / Gauge(specimen).voigt_stiffness(specimen), 0.8, 1.0,

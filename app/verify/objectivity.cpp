@@ -32,7 +32,7 @@ BondLoad<double> load_of(const BondEnds<double>& ends) {
                              cast<T>(s.bend)};
   const BondSection<T> section{T(bond_radius), T(1), T(1), T(1), T(0.5), T(grain)};
   const BondLoad<T> load = bond_load(law_of<T>(paper_bonds()), section, strain, {});
-  return {cast<double>(load.force), cast<double>(load.moment_i), cast<double>(load.moment_j), 0, 0, 0, 0};
+  return {cast<double>(load.force), cast<double>(load.torque_i), cast<double>(load.torque_j), 0, 0, 0, 0};
 }
 
 /// A bond under 1 kN of shear and 3 N m of torsion, turned once about an axis in a thousand steps: largest change
@@ -41,20 +41,21 @@ template <class T>
 double change_in_a_turn(const Vec3d& axis) {
   const BondStiffness k(paper_bonds());
   const Vec3d span{grain, -1000 / k.shear, 0};
-  const Quatd turn_i = turn_by({-1.5 / k.torsion, 0, 0}), turn_j = turn_by({1.5 / k.torsion, 0, 0});
-  const BondLoad<double> first = load_of<T>({span, turn_i, turn_j});
+  const Quatd orientation_i = rotation_by({-1.5 / k.torsion, 0, 0}),
+              orientation_j = rotation_by({1.5 / k.torsion, 0, 0});
+  const BondLoad<double> first = load_of<T>({span, orientation_i, orientation_j});
   double largest = 0;
   for (int step = 1; step <= 1000; ++step) {
-    const Quatd turn = turn_by((2 * pi * step / 1000 / norm(axis)) * axis);
-    const BondLoad<double> now = load_of<T>({rotate(turn, span), turn * turn_i, turn * turn_j});
+    const Quatd turn = rotation_by((2 * pi * step / 1000 / norm(axis)) * axis);
+    const BondLoad<double> now = load_of<T>({rotate(turn, span), turn * orientation_i, turn * orientation_j});
     largest = std::max({largest, norm(rotate_back(turn, now.force) - first.force) / 1000,
-                        norm(rotate_back(turn, now.moment_j) - first.moment_j) / norm(first.moment_j)});
+                        norm(rotate_back(turn, now.torque_j) - first.torque_j) / norm(first.torque_j)});
   }
   return largest;
 }
 
 void one_turn(Recorder& out) {
-  const auto change = out.loads() == Loads::single ? change_in_a_turn<float> : change_in_a_turn<double>;
+  const auto change = out.precision() == Precision::mixed ? change_in_a_turn<float> : change_in_a_turn<double>;
   const std::string theory = "objectivity; incremental with end-of-step normals: 1.22 in 1e4 steps";
   out.absolute("about-a-diagonal", change({1, 1, 1}), 0, {1e-9, 1e-6}, theory);
   out.absolute("about-its-own-axis", change({1, 0, 0}), 0, {1e-9, 1e-6}, theory);
@@ -76,16 +77,16 @@ NewRock stressed_cube() {
 /// The cube at 600 rad/s about a diagonal of the frame. Once its swings are damped away a whole turn must leave every
 /// bond as it was.
 void stressed_rock(Recorder& out) {
-  constexpr double dt = 1e-6, spin = 600;  // 6e-4 rad a step
+  constexpr double dt = 1e-6, angular_velocity = 600;  // 6e-4 rad a step
   BondParameters bonds = paper_bonds();
   bonds.damping = 0.5;
   bonds.tensile_strength = bonds.shear_strength = 1e9;
   NewRock rock = stressed_cube();
-  add_rigid_motion(rock, {0, 0, 0}, {0, 0, spin});
-  const Quatd to_diagonal = turn_by((std::acos(1 / std::sqrt(3.0)) / std::sqrt(2.0)) * Vec3d{-1, 1, 0});
-  Stage stage(bonded_scene(dt, bonds), out.loads());
+  add_rigid_motion(rock, {0, 0, 0}, {0, 0, angular_velocity});
+  const Quatd to_diagonal = rotation_by((std::acos(1 / std::sqrt(3.0)) / std::sqrt(2.0)) * Vec3d{-1, 1, 0});
+  Stage stage(bonded_scene(dt, bonds), out.precision());
   stage.insert({placed(rock, 0, 0, {0, 0, 0}, to_diagonal)});
-  const int turn = static_cast<int>(std::llround(2 * pi / (spin * dt)));
+  const int turn = static_cast<int>(std::llround(2 * pi / (angular_velocity * dt)));
   stage.advance(2 * turn);
   const BondSnapshot before = stage.dem().bonds();
   stage.advance(turn);
@@ -119,16 +120,16 @@ double limit(int n, const BondParameters& bonds) {
 /// m w^2 |x|: the bonds in the middle carry 2 m w^2 d, and none more. Velocities of mid-step on the span of the step's
 /// end would be damped, and take up 2.4 % of the pull.
 void no_spurious_stress(Recorder& out) {
-  constexpr double spin = 100;
+  constexpr double angular_velocity = 100;
   BondParameters bonds = paper_bonds();
   bonds.damping = 0.2;
-  Stage stage(bonded_scene(0.8 * limit(4, bonds), bonds), out.loads());
+  Stage stage(bonded_scene(0.8 * limit(4, bonds), bonds), out.precision());
   NewRock rock = lattice(0, 4, grain / 4);
-  add_rigid_motion(rock, {0, 0, 0}, {0, 0, spin});
+  add_rigid_motion(rock, {0, 0, 0}, {0, 0, angular_velocity});
   stage.insert({rock});
-  const double pull = sphere_mass(grain / 2, rock_density) * spin * spin * 2 * grain;
+  const double pull = sphere_mass(grain / 2, rock_density) * angular_velocity * angular_velocity * 2 * grain;
   const double ratio = pull / (pi * grain * grain / 16) / bonds.tensile_strength;
-  const int turn = static_cast<int>(std::llround(2 * pi / (spin * stage.dt())));
+  const int turn = static_cast<int>(std::llround(2 * pi / (angular_velocity * stage.dt())));
   stage.advance(turn);  // the swing of the start dies down
   double largest = 0;
   for (int k = 0; k < 90; ++k) {

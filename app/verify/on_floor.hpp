@@ -16,13 +16,14 @@ class OnFloor {
 
   struct Start {
     PairProperties pair;
-    double slope = 0, speed = 0, spin = 0;  ///< [rad], along x [m/s], forward about y [rad/s]
+    double slope = 0, speed = 0, angular_velocity = 0;  ///< [rad], along x [m/s], forward about y [rad/s]
   };
 
-  OnFloor(const Start& start, Loads loads) : stage_(scene(start), loads) {
+  OnFloor(const Start& start, Precision precision) : stage_(scene(start), precision) {
     const double weight = sphere_mass(radius, density) * g * std::cos(start.slope);
     const double deep = static_overlap(youngs_against_rigid(rock()), radius, weight);
-    stage_.insert({sphere(0, {0, 0, radius - deep}, {start.speed, 0, 0}, radius, density, {0, start.spin, 0})});
+    stage_.insert(
+        {sphere(0, {0, 0, radius - deep}, {start.speed, 0, 0}, radius, density, {0, start.angular_velocity, 0})});
   }
 
   static Material rock() { return {"rock", density, 557e6, 0.35}; }
@@ -34,7 +35,7 @@ class OnFloor {
       const double left = std::round((time - stage_.time()) / dt);
       stage_.advance(left < 50 ? static_cast<int>(left) : 50);
       const ParticleSnapshot s = stage_.dem().particles();
-      fastest = std::max({fastest, norm(s.velocity[0]), radius * norm(s.spin[0])});
+      fastest = std::max({fastest, norm(s.velocity[0]), radius * norm(s.angular_velocity[0])});
     }
     return fastest;
   }
@@ -42,7 +43,7 @@ class OnFloor {
   double time() const { return stage_.time(); }
   double x() { return stage_.dem().particles().position[0].x; }
   double speed() { return stage_.dem().particles().velocity[0].x; }
-  double spin() { return stage_.dem().particles().spin[0].y; }
+  double angular_velocity() { return stage_.dem().particles().angular_velocity[0].y; }
 
  private:
   static Scene scene(const Start& start) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands.hpp"
+#include "app/commands/commands.hpp"
 #include "app/verify/check.hpp"
 #include "app/verify/lines.hpp"
 

@@ -23,18 +23,18 @@ std::string percent(double e) {
 
 const double asked[] = {0.05, 0.1, 0.2, 0.25, 0.3, 0.5, 0.7, 0.9, 1};
 
-double rebound(const Material& material, double e, double speed, double steps_per_contact, Loads loads) {
+double rebound(const Material& material, double e, double speed, double steps_per_contact, Precision precision) {
   WallImpact impact{material, {0, e, 0}, 0.0025, {0, 0, -speed}};
   impact.steps_per_contact = steps_per_contact;
-  return hit_wall(impact, loads).velocity.z / speed;
+  return hit_wall(impact, precision).velocity.z / speed;
 }
 
 /// Rebound at all restitutions, and whether it is the same at three speeds.
 void series(Recorder& out, const Material& material) {
   for (const double e : asked) {
-    const double slow = rebound(material, e, 0.1, 1000, out.loads());
-    const double middle = rebound(material, e, 3.9, 1000, out.loads());
-    const double fast = rebound(material, e, 10, 1000, out.loads());
+    const double slow = rebound(material, e, 0.1, 1000, out.precision());
+    const double middle = rebound(material, e, 3.9, 1000, out.precision());
+    const double fast = rebound(material, e, 10, 1000, out.precision());
     out.absolute(percent(e), middle, e, {2e-4, 3e-4}, source);
     out.absolute(percent(e) + "-at-all-speeds", std::max({slow, middle, fast}) - std::min({slow, middle, fast}), 0,
                  {1e-6, 1e-4}, "the law has no scale of speed");
@@ -46,7 +46,8 @@ void coarse(Recorder& out) {
   const Material material = elastic(380e9, 0.23, 4000);
   const auto worst = [&](double steps) {
     double error = 0;
-    for (const double e : asked) error = std::max(error, std::abs(rebound(material, e, 3.9, steps, out.loads()) - e));
+    for (const double e : asked)
+      error = std::max(error, std::abs(rebound(material, e, 3.9, steps, out.precision()) - e));
     return error;
   };
   const double at_50 = worst(50);
@@ -56,19 +57,19 @@ void coarse(Recorder& out) {
 
 /// Rebound of a rock, its speed before and after over one another. A cube of n^3 spheres falls on a corner, straight
 /// below its centre; its bonds are so stiff that it moves as one body.
-double rock_rebound(int n, double e, double fall, Loads loads) {
+double rock_rebound(int n, double e, double fall, Precision precision) {
   BondParameters bonds = paper_bonds();
   bonds.tensile_strength = bonds.shear_strength = 1e12;
   Scene scene = scene_of(elastic(1e7, 0.35, rock_density), rigid(), {0, e, 0}, 2e-6);
   scene.bonds = bonds;
   scene.walls = {floor_plane()};
-  Stage stage(scene, loads);
+  Stage stage(scene, precision);
   // The body diagonal (1, 1, 1) is turned down to (0, 0, -1).
   const double down = std::acos(-1 / std::sqrt(3.0)) / std::sqrt(2.0);
   const double lowest = grain * (0.5 * (n - 1) * std::sqrt(3.0) + 0.5);
   NewRock rock = lattice(0, n, grain / 2);
   if (n == 1) rock.colour_begin = {0};
-  rock = placed(rock, 0, 0, {0, 0, lowest}, turn_by(down * Vec3d{1, -1, 0}));
+  rock = placed(rock, 0, 0, {0, 0, lowest}, rotation_by(down * Vec3d{1, -1, 0}));
   for (NewParticle& p : rock.particles) p.velocity = {0, 0, -fall};
   stage.insert({rock});
   const double mass = n * n * n * sphere_mass(grain / 2, rock_density);
@@ -84,7 +85,7 @@ void whole_rocks(Recorder& out) {
   for (const double e : {0.2, 0.5})
     for (const int n : {1, 2, 3}) {
       const double zeta = damping_for_restitution(e) / std::pow(n, 1.5);
-      out.relative(percent(e) + "-of-" + std::to_string(n * n * n), rock_rebound(n, e, 0.1, out.loads()),
+      out.relative(percent(e) + "-of-" + std::to_string(n * n * n), rock_rebound(n, e, 0.1, out.precision()),
                    restitution_of_damping(zeta), {1e-3, 1e-3}, "N spheres on one: zeta / sqrt(N)");
     }
 }

@@ -29,9 +29,9 @@ double turn_of(double press, double shear) {
 
 }  // namespace
 
-Rig::Rig(const Material& material, const PairProperties& pair, double dt, const NewRock& rock, Loads loads,
+Rig::Rig(const Material& material, const PairProperties& pair, double dt, const NewRock& rock, Precision precision,
          const std::optional<BondParameters>& bonds)
-    : stage_(rig_scene(material, pair, dt, bonds), loads) {
+    : stage_(rig_scene(material, pair, dt, bonds), precision) {
   stage_.insert({rock});
 }
 

@@ -13,7 +13,7 @@ class Rig {
  public:
   /// @param rock      its contact with the cylinder is at `place`
   /// @param dt        [s]
-  Rig(const Material& material, const PairProperties& pair, double dt, const NewRock& rock, Loads loads,
+  Rig(const Material& material, const PairProperties& pair, double dt, const NewRock& rock, Precision precision,
       const std::optional<BondParameters>& bonds = {});
 
   /// The cylinder's surface, where it first meets the rock. Its outward normal there is x.

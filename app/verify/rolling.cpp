@@ -15,10 +15,10 @@ const std::string source = "rigid-body mechanics of a ball, torque mu_r R Fn";
 /// Rolls out on a flat floor, and then stays where it is.
 void flat(Recorder& out) {
   const double mu_r = 0.05, v = 1;
-  OnFloor s({{0.5, 0.5, mu_r}, 0, v, v / radius}, out.loads());
+  OnFloor s({{0.5, 0.5, mu_r}, 0, v, v / radius}, out.precision());
   s.run_to(1);
   out.relative("deceleration", v - s.speed(), 5.0 / 7 * mu_r * g, {2e-3, 2e-3}, source);
-  out.relative("spin", s.spin() * radius, s.speed(), {1e-4, 1e-4}, "rolls without slip");
+  out.relative("spin", s.angular_velocity() * radius, s.speed(), {1e-4, 1e-4}, "rolls without slip");
   s.run_to(3);
   out.relative("distance", s.x(), 7 * v * v / (10 * mu_r * g), {2e-3, 2e-3}, source);
   out.absolute("rest", s.run_to(4), 0, {1e-9 * radius, 1e-9}, "at rest for 1 s, R w and v at each 50th step");
@@ -26,16 +26,17 @@ void flat(Recorder& out) {
 
 /// A ball that only spins, on a floor without friction.
 void smooth_floor(Recorder& out) {
-  const double mu_r = 0.02, spin = 50;
-  OnFloor s({{0, 0.5, mu_r}, 0, 0, spin}, out.loads());
+  const double mu_r = 0.02, angular_velocity = 50;
+  OnFloor s({{0, 0.5, mu_r}, 0, 0, angular_velocity}, out.precision());
   s.run_to(0.5);
-  out.relative("spin-lost", spin - s.spin(), 2.5 * mu_r * g / radius * 0.5, {1e-3, 1e-3}, source);
+  out.relative("spin-lost", angular_velocity - s.angular_velocity(), 2.5 * mu_r * g / radius * 0.5, {1e-3, 1e-3},
+               source);
   out.absolute("velocity", s.speed(), 0, {1e-15, 1e-15}, "no friction");
 }
 
 void down_a_slope(Recorder& out) {
   const double slope = 0.1, mu_r = 0.04;
-  OnFloor s({{0.5, 0.5, mu_r}, slope, 0, 0}, out.loads());
+  OnFloor s({{0.5, 0.5, mu_r}, slope, 0, 0}, out.precision());
   s.run_to(0.05);
   const double before = s.speed();
   s.run_to(0.45);
@@ -46,13 +47,13 @@ void down_a_slope(Recorder& out) {
 /// A resistance beyond the slope's tangent holds the ball, one just below lets it go.
 void held_on_a_slope(Recorder& out) {
   const double slope = 0.1;
-  OnFloor held({{0.5, 0.5, 1.02 * std::tan(slope)}, slope, 0, 0}, out.loads());
+  OnFloor held({{0.5, 0.5, 1.02 * std::tan(slope)}, slope, 0, 0}, out.precision());
   held.run_to(0.5);
   const double place = held.x();
   out.absolute("rest", held.run_to(1.5), 0, {1e-9 * radius, 1e-9}, "at rest for 1 s, R w and v");
   out.absolute("creep", held.x() - place, 0, {1e-9 * radius, 1e-9}, "at rest for 1 s");
   const double less = 0.9 * std::tan(slope);
-  OnFloor goes({{0.5, 0.5, less}, slope, 0, 0}, out.loads());
+  OnFloor goes({{0.5, 0.5, less}, slope, 0, 0}, out.precision());
   goes.run_to(0.5);
   out.relative("goes-below", goes.speed(), 0.5 * 5.0 / 7 * g * 0.1 * std::sin(slope), {5e-3, 5e-3}, source);
 }
@@ -64,7 +65,7 @@ void held_in_a_groove(Recorder& out) {
   scene.gravity = {g * std::sin(slope), 0, -g * std::cos(slope)};
   scene.walls = {{"left", PlaneShape{{0, 0, 0}, {0, half, half}}, Fixed{}, 1},
                  {"right", PlaneShape{{0, 0, 0}, {0, -half, half}}, Fixed{}, 1}};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   const double force = sphere_mass(radius, OnFloor::density) * g * std::cos(slope) * half;
   const double deep = static_overlap(youngs_against_rigid(OnFloor::rock()), radius, force);
   stage.insert({sphere(0, {0, 0, (radius - deep) / half}, {0, 0, 0}, radius, OnFloor::density, {0, 3, 0})});
@@ -73,26 +74,28 @@ void held_in_a_groove(Recorder& out) {
   for (int k = 0; k < 2000; ++k) {
     stage.advance(7);
     const ParticleSnapshot s = stage.dem().particles();
-    fastest = std::max({fastest, norm(s.velocity[0]), radius * norm(s.spin[0])});
+    fastest = std::max({fastest, norm(s.velocity[0]), radius * norm(s.angular_velocity[0])});
   }
   out.absolute("rest", fastest, 0, {1e-9 * radius, 1e-9}, "at rest, R w and v at each 7th step");
 }
 
 /// Two equal balls roll on each other without slip, spins opposite: the torque mu_r R* Fn acts on both.
 void pair(Recorder& out) {
-  const double mu_r = 0.01, spin = 100, fall = 0.2;
+  const double mu_r = 0.01, angular_velocity = 100, fall = 0.2;
   const Material material = elastic(70e9, 0.33, 2700);
   const double mass = sphere_mass(radius, material.density);
   const ElasticImpact theory(youngs_of_pair(material), radius / 2, mass / 2, 2 * fall);
-  Stage stage(scene_of(material, rigid(), {0.4, 1, mu_r}, theory.duration / 1000), out.loads());
-  stage.insert({sphere(0, {-radius, 0, 0}, {fall, 0, 0}, radius, material.density, {0, 0, spin})});
-  stage.insert({sphere(1, {radius, 0, 0}, {-fall, 0, 0}, radius, material.density, {0, 0, -spin})});
+  Stage stage(scene_of(material, rigid(), {0.4, 1, mu_r}, theory.duration / 1000), out.precision());
+  stage.insert({sphere(0, {-radius, 0, 0}, {fall, 0, 0}, radius, material.density, {0, 0, angular_velocity})});
+  stage.insert({sphere(1, {radius, 0, 0}, {-fall, 0, 0}, radius, material.density, {0, 0, -angular_velocity})});
   stage.advance(1100);
   const ParticleSnapshot s = stage.dem().particles();
   // Impulse 2 m v, R* = R/2, I = 2/5 m R^2.
   const double lost = mu_r * (radius / 2) * 2 * mass * fall / (0.4 * mass * radius * radius);
-  out.relative("first-spin-lost", spin - s.spin[0].z, lost, {1e-3, 1e-3}, "impulse of the impact x mu_r R*");
-  out.relative("second-spin-lost", spin + s.spin[1].z, lost, {1e-3, 1e-3}, "impulse of the impact x mu_r R*");
+  out.relative("first-spin-lost", angular_velocity - s.angular_velocity[0].z, lost, {1e-3, 1e-3},
+               "impulse of the impact x mu_r R*");
+  out.relative("second-spin-lost", angular_velocity + s.angular_velocity[1].z, lost, {1e-3, 1e-3},
+               "impulse of the impact x mu_r R*");
 }
 
 /// A ball without spin hits a wall that turns about the place of the impact: the torque turns it along.
@@ -102,11 +105,11 @@ void turning_wall(Recorder& out) {
   const ElasticImpact theory(youngs_against_rigid(material), radius, sphere_mass(radius, material.density), fall);
   Scene scene = scene_of(material, rigid(), {0, e, mu_r}, theory.duration / 1000);
   scene.walls = {{"wall", PlaneShape{{0, 0, 0}, {0, 0, 1}}, RotationMotion{{0, 1, 0}, {0, 0, 0}, turn}, 1}};
-  Stage stage(scene, out.loads());
+  Stage stage(scene, out.precision());
   stage.insert({sphere(0, {0, 0, radius}, {0, 0, -fall}, radius, material.density)});
   stage.advance(2000);
-  out.relative("spin", stage.dem().particles().spin[0].y, 2.5 * mu_r * (1 + e) * fall / radius, {2e-3, 2e-3},
-               "impulse of the impact x mu_r R");
+  out.relative("spin", stage.dem().particles().angular_velocity[0].y, 2.5 * mu_r * (1 + e) * fall / radius,
+               {2e-3, 2e-3}, "impulse of the impact x mu_r R");
 }
 
 const std::array<Case, 7> cases{{

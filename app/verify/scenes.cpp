@@ -49,10 +49,10 @@ double static_overlap(double youngs, double radius, double force) {
   return std::pow(force / (4.0 / 3 * youngs * std::sqrt(radius)), 2.0 / 3);
 }
 
-NewRock sphere(ParticleId id, Vec3d position, Vec3d velocity, double radius, double density, Vec3d spin) {
+NewRock sphere(ParticleId id, Vec3d position, Vec3d velocity, double radius, double density, Vec3d angular_velocity) {
   NewRock rock;
   rock.id = none;
-  rock.particles.push_back({id, position, velocity, spin, radius, density});
+  rock.particles.push_back({id, position, velocity, angular_velocity, radius, density});
   return rock;
 }
 

@@ -35,12 +35,13 @@ Wall floor_mesh(double half);
 double static_overlap(double youngs, double radius, double force);
 
 /// A loose sphere.
-NewRock sphere(ParticleId id, Vec3d position, Vec3d velocity, double radius, double density, Vec3d spin = {0, 0, 0});
+NewRock sphere(ParticleId id, Vec3d position, Vec3d velocity, double radius, double density,
+               Vec3d angular_velocity = {0, 0, 0});
 
 /// A scene that counts its own steps.
 class Stage {
  public:
-  Stage(const Scene& scene, Loads loads) : dt_(scene.dt), dem_(make_cpu_dem(scene, loads, 1)) {}
+  Stage(const Scene& scene, Precision precision) : dt_(scene.dt), dem_(make_cpu_dem(scene, precision, 1)) {}
 
   void insert(const std::vector<NewRock>& rocks) { dem_->insert(rocks); }
   void advance(int steps, const MantlePath& path = {}) {

@@ -22,7 +22,7 @@ constexpr double loose = 1.55;               // height of that lattice over the 
 class Silo {
  public:
   /// Open from the start, while a loose filling falls together. @param filling  its height then, about [m]
-  Silo(double orifice, double filling, Loads loads);
+  Silo(double orifice, double filling, Precision precision);
 
   /// Mass that leaves in some ticks, by time [kg/s].
   double flow(int ticks);
@@ -58,11 +58,11 @@ Scene silo_scene(double orifice, double wall) {
   return scene;
 }
 
-Silo::Silo(double orifice, double filling, Loads loads)
+Silo::Silo(double orifice, double filling, Precision precision)
     : orifice_(orifice),
       wall_(1.25 * orifice),
       top_(filling + 4 * d),
-      stage_(silo_scene(orifice, 1.25 * orifice), loads) {
+      stage_(silo_scene(orifice, 1.25 * orifice), precision) {
   const int across = static_cast<int>(wall_ / spacing), layers = static_cast<int>(loose * filling / spacing);
   for (int j = -across; j <= across; ++j)
     for (int i = -across; i <= across; ++i)
@@ -140,9 +140,9 @@ struct Outflow {
 };
 
 /// Measured for some ticks, after a few in which the flow becomes steady.
-Outflow outflow(int diameters, double filling, int ticks, Loads loads) {
+Outflow outflow(int diameters, double filling, int ticks, Precision precision) {
   const double orifice = diameters * d;
-  Silo silo(orifice, filling * orifice, loads);
+  Silo silo(orifice, filling * orifice, precision);
   silo.flow(8);
   const double rate = silo.flow(ticks);
   return {rate, silo.bulk_density(), silo.level() / orifice};
@@ -179,7 +179,7 @@ void silo(Recorder& out) {
   const std::string law = "Beverloo (1961): C rho_b sqrt(g) (D - k d)^2.5, C 0.58, k 1.4";
   std::array<double, sizes.size()> rate{}, width{}, flow_of_large{};
   for (std::size_t n = 0; n < sizes.size(); ++n) {
-    const Outflow flow = outflow(sizes[n].diameters, filling, sizes[n].ticks, out.loads());
+    const Outflow flow = outflow(sizes[n].diameters, filling, sizes[n].ticks, out.precision());
     rate[n] = flow.rate;
     const std::string name = "at-" + std::to_string(sizes[n].diameters) + "-diameters";
     const double whole = std::sqrt(gravity) * std::pow((sizes[n].diameters - 1.4) * d, 2.5);
@@ -190,7 +190,7 @@ void silo(Recorder& out) {
   }
   out.absolute("power", slope(width, flow_of_large), 2.5, {0.1, 0.1},
                "Mankoc et al. (2007): (D - d)^2.5 (1 - exp(-0.051 (D/d - 1))/2)");
-  const double high = outflow(sizes[0].diameters, 2 * filling, 24, out.loads()).rate;
+  const double high = outflow(sizes[0].diameters, 2 * filling, 24, out.precision()).rate;
   out.relative("filled-twice-as-high", high, rate[0], {0.05, 0.05},
                "flow does not depend on the height of the filling");
 }

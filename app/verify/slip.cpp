@@ -16,30 +16,30 @@ const std::string ball = "rigid-body mechanics of a ball";
 /// A ball set down sliding comes to roll.
 void comes_to_roll(Recorder& out) {
   const double mu = 0.5, v0 = 1, end = 2 * v0 / (7 * mu * g);
-  OnFloor s({{mu, 0.5, 0}, 0, v0, 0}, out.loads());
+  OnFloor s({{mu, 0.5, 0}, 0, v0, 0}, out.precision());
   s.run_to(0.04);
   out.relative("velocity-while-sliding", s.speed(), v0 - mu * g * 0.04, {5e-4, 5e-4}, ball);
-  out.relative("spin-while-sliding", s.spin(), 2.5 * mu * g * 0.04 / radius, {5e-4, 5e-4}, ball);
+  out.relative("spin-while-sliding", s.angular_velocity(), 2.5 * mu * g * 0.04 / radius, {5e-4, 5e-4}, ball);
   double rolls_at = 0;
   while (rolls_at == 0 && s.time() < 2 * end) {
     s.step();
-    if (s.speed() <= s.spin() * radius) rolls_at = s.time();
+    if (s.speed() <= s.angular_velocity() * radius) rolls_at = s.time();
   }
   out.relative("time", rolls_at, end, {5e-3, 5e-3}, ball);
   out.relative("distance", s.x(), 12 * v0 * v0 / (49 * mu * g), {5e-3, 5e-3}, ball);
   s.run_to(rolls_at + 0.2);
   out.relative("velocity", s.speed(), 5.0 / 7 * v0, {5e-4, 5e-4}, ball);
-  out.relative("spin", s.spin() * radius, 5.0 / 7 * v0, {5e-4, 5e-4}, ball);
+  out.relative("spin", s.angular_velocity() * radius, 5.0 / 7 * v0, {5e-4, 5e-4}, ball);
 }
 
 /// On a slope of 30 degrees a ball slips below mu = tan(30)/3.5 = 0.165 and rolls above.
 void slope(Recorder& out, double mu) {
   const double angle = pi / 6;
-  OnFloor s({{mu, 0.5, 0}, angle, 0, 0}, out.loads());
+  OnFloor s({{mu, 0.5, 0}, angle, 0, 0}, out.precision());
   s.run_to(0.05);
-  const double v = s.speed(), w = s.spin();
+  const double v = s.speed(), w = s.angular_velocity();
   s.run_to(0.35);
-  const double a = (s.speed() - v) / 0.3, alpha = (s.spin() - w) / 0.3;
+  const double a = (s.speed() - v) / 0.3, alpha = (s.angular_velocity() - w) / 0.3;
   const bool slips = std::tan(angle) > 3.5 * mu;
   const double expected = slips ? g * (std::sin(angle) - mu * std::cos(angle)) : 5.0 / 7 * g * std::sin(angle);
   out.relative("acceleration", a, expected, {1e-3, 1e-3}, ball);
@@ -64,7 +64,7 @@ void stick_and_slip(Recorder& out) {
   const double mu = 0.5, normal = 100;
   const double deep = static_overlap(youngs_against_rigid(metal), radius, normal), stiffness = shear_stiffness(deep);
   const double onset = mu * normal / stiffness, far = 3 * onset;
-  Rig rig(metal, {mu, 1, 0}, 1e-6, held_sphere(), out.loads());
+  Rig rig(metal, {mu, 1, 0}, 1e-6, held_sphere(), out.precision());
   rig.move(deep, 0, 4000);
   out.relative("normal-force", rig.force().x, normal, {1e-6, 1e-5}, "Hertz");
   const double start = rig.force().y;  // what pressing has sheared
@@ -101,7 +101,7 @@ void through_a_spring(Recorder& out) {
   rock.particles[1].position += Vec3d{length, 0, 0};
   rock.bonds = {{0, 1, length, bond_radius, 1}};
   rock.colour_begin = {0, 1};
-  Rig rig(metal, {mu, 0.5, 0}, 1e-6, rock, out.loads(), bond);
+  Rig rig(metal, {mu, 0.5, 0}, 1e-6, rock, out.precision(), bond);
 
   const double deep = static_overlap(youngs_against_rigid(metal), radius, normal);
   rig.move(deep + normal / (bond.normal_stiffness * area), 0, 40000);
@@ -131,7 +131,7 @@ void through_a_spring(Recorder& out) {
 /// give back St s^2/4 more than it took.
 void closed_loop(Recorder& out) {
   const double deep = 1e-5, shear = 1e-5;
-  Rig rig(metal, {100, 1, 0}, 1e-6, held_sphere(), out.loads());
+  Rig rig(metal, {100, 1, 0}, 1e-6, held_sphere(), out.precision());
   rig.move(deep, 0, 20000);
   rig.move(0, shear, 20000);
   rig.move(-0.75 * deep, 0, 20000);
@@ -147,15 +147,15 @@ void closed_loop(Recorder& out) {
 
 /// Sphere and wall turn as one body, but for a little: the spring grows by that little and turns along.
 void turning_contact(Recorder& out) {
-  const double deep = 1e-5, spin = 20, more = 1e-3, dt = 5e-5;
+  const double deep = 1e-5, angular_velocity = 20, more = 1e-3, dt = 5e-5;
   const int steps = 1000;  // one radian
   Scene scene = scene_of(metal, rigid(), {100, 1, 0}, dt);
   const Vec3d centre{0, 0, radius - deep};
-  scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, RotationMotion{{0, 1, 0}, centre, spin}, 1}};
-  Stage stage(scene, out.loads());
-  stage.insert({sphere(0, centre, {0, 0, 0}, radius, held, {0, spin + more, 0})});
+  scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, RotationMotion{{0, 1, 0}, centre, angular_velocity}, 1}};
+  Stage stage(scene, out.precision());
+  stage.insert({sphere(0, centre, {0, 0, 0}, radius, held, {0, angular_velocity + more, 0})});
   stage.advance(steps);
-  const double angle = spin * stage.time(), normal = hertz_force(metal, radius, deep);
+  const double angle = angular_velocity * stage.time(), normal = hertz_force(metal, radius, deep);
   const Vec3d up{std::sin(angle), 0, std::cos(angle)}, along{std::cos(angle), 0, -std::sin(angle)};
   const Vec3d force = stage.dem().particles().force[0];
   // The contact is there at the start: the spring takes up a step more than has passed.

@@ -18,42 +18,42 @@ const std::string momentum = "momentum: friction mu (1 + e) m v_n";
 const Material alloy = elastic(70e9, 0.33, 2700), nylon = elastic(2.5e9, 0.40, 1000),
                copper = elastic(120e9, 0.35, 8900);
 
-std::string at_spin(double spin) {
+std::string at_spin(double angular_velocity) {
   char text[32];
-  std::snprintf(text, sizeof text, "at-%04.0f-mrad-s", 1000 * spin);
+  std::snprintf(text, sizeof text, "at-%04.0f-mrad-s", 1000 * angular_velocity);
   return text;
 }
 
 /// Test 6, friction slides throughout.
 void falls_and_slides(Recorder& out, const Material& material) {
-  for (const double spin : {5.495, 22.86}) {
-    const ObliqueImpact impact{material, rough, radius, 0, fall, spin};
-    const ObliqueResult got = hit_obliquely(impact, out.loads());
-    out.relative(at_spin(spin) + "-velocity", got.slide, gained, {1e-3, 1e-3}, momentum);
-    out.relative(at_spin(spin) + "-spin-lost", spin - got.spin, 2.5 * gained / radius * mean_lever(impact),
-                 {1e-3, 1e-3}, momentum);
-    out.absolute(at_spin(spin) + "-across", got.across, 0, {1e-12, 1e-6}, "symmetry");
+  for (const double angular_velocity : {5.495, 22.86}) {
+    const ObliqueImpact impact{material, rough, radius, 0, fall, angular_velocity};
+    const ObliqueResult got = hit_obliquely(impact, out.precision());
+    out.relative(at_spin(angular_velocity) + "-velocity", got.slide, gained, {1e-3, 1e-3}, momentum);
+    out.relative(at_spin(angular_velocity) + "-spin-lost", angular_velocity - got.angular_velocity,
+                 2.5 * gained / radius * mean_lever(impact), {1e-3, 1e-3}, momentum);
+    out.absolute(at_spin(angular_velocity) + "-across", got.across, 0, {1e-12, 1e-6}, "symmetry");
   }
 }
 
 struct Row {
-  double spin, velocity, spin_after;
+  double angular_velocity, velocity, spin_after;
 };
 
 /// Test 6, slow spins: the contact sticks.
 void falls_and_sticks(Recorder& out, const Material& material, std::span<const Row> rows) {
   const std::string source = "impact_reference.py: independent integration of the law";
   for (const Row& row : rows) {
-    const ObliqueResult got = hit_obliquely({material, rough, radius, 0, fall, row.spin}, out.loads());
-    out.relative(at_spin(row.spin) + "-velocity", got.slide, row.velocity, {2e-3, 2e-3}, source);
-    out.relative(at_spin(row.spin) + "-spin", got.spin, row.spin_after, {2e-3, 2e-3}, source);
+    const ObliqueResult got = hit_obliquely({material, rough, radius, 0, fall, row.angular_velocity}, out.precision());
+    out.relative(at_spin(row.angular_velocity) + "-velocity", got.slide, row.velocity, {2e-3, 2e-3}, source);
+    out.relative(at_spin(row.angular_velocity) + "-spin", got.angular_velocity, row.spin_after, {2e-3, 2e-3}, source);
   }
 }
 
 /// Two spheres that meet head on with spins about z. After they have parted:
-ParticleSnapshot two_meet(const Material& material, double spin_0, double spin_1, Loads loads) {
+ParticleSnapshot two_meet(const Material& material, double spin_0, double spin_1, Precision precision) {
   const ElasticImpact theory(youngs_of_pair(material), radius / 2, sphere_mass(radius, material.density) / 2, 2 * fall);
-  Stage stage(scene_of(material, rigid(), rough, theory.duration / 1000), loads);
+  Stage stage(scene_of(material, rigid(), rough, theory.duration / 1000), precision);
   stage.insert({sphere(0, {-radius, 0, 0}, {fall, 0, 0}, radius, material.density, {0, 0, spin_0})});
   stage.insert({sphere(1, {radius, 0, 0}, {-fall, 0, 0}, radius, material.density, {0, 0, spin_1})});
   stage.advance(4000);
@@ -62,40 +62,46 @@ ParticleSnapshot two_meet(const Material& material, double spin_0, double spin_1
 
 /// Test 7: opposite spins roll on each other without slip.
 void opposite_spins(Recorder& out, const Material& material) {
-  for (const double spin : {0.175, 22.86}) {
-    const ParticleSnapshot s = two_meet(material, spin, -spin, out.loads());
-    out.relative(at_spin(spin) + "-first", s.spin[0].z, spin, {1e-12, 1e-12}, "no slip, no friction");
-    out.relative(at_spin(spin) + "-second", s.spin[1].z, -spin, {1e-12, 1e-12}, "no slip, no friction");
-    out.absolute(at_spin(spin) + "-velocity", norm(s.velocity[0] + s.velocity[1]) + std::abs(s.velocity[0].y), 0,
-                 {1e-12, 1e-12}, "no slip, no friction");
-    out.relative(at_spin(spin) + "-rebound", -s.velocity[0].x / fall, 0.5, {5e-4, 5e-4}, "restitution asked for");
+  for (const double angular_velocity : {0.175, 22.86}) {
+    const ParticleSnapshot s = two_meet(material, angular_velocity, -angular_velocity, out.precision());
+    out.relative(at_spin(angular_velocity) + "-first", s.angular_velocity[0].z, angular_velocity, {1e-12, 1e-12},
+                 "no slip, no friction");
+    out.relative(at_spin(angular_velocity) + "-second", s.angular_velocity[1].z, -angular_velocity, {1e-12, 1e-12},
+                 "no slip, no friction");
+    out.absolute(at_spin(angular_velocity) + "-velocity",
+                 norm(s.velocity[0] + s.velocity[1]) + std::abs(s.velocity[0].y), 0, {1e-12, 1e-12},
+                 "no slip, no friction");
+    out.relative(at_spin(angular_velocity) + "-rebound", -s.velocity[0].x / fall, 0.5, {5e-4, 5e-4},
+                 "restitution asked for");
   }
 }
 
 /// Equal spins slide as on a wall, each sphere with half of the speed.
 void equal_spins(Recorder& out) {
-  const double spin = 22.86;
-  const ParticleSnapshot s = two_meet(alloy, spin, spin, out.loads());
+  const double angular_velocity = 22.86;
+  const ParticleSnapshot s = two_meet(alloy, angular_velocity, angular_velocity, out.precision());
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const std::string which = k == 0 ? "first" : "second";
     out.relative(which + "-velocity", (k == 0 ? -1 : 1) * s.velocity[k].y, gained, {1e-3, 1e-3}, momentum);
-    out.relative(which + "-spin", s.spin[k].z, spin - 2.5 * gained / radius, {1e-3, 1e-3}, momentum);
+    out.relative(which + "-spin", s.angular_velocity[k].z, angular_velocity - 2.5 * gained / radius, {1e-3, 1e-3},
+                 momentum);
   }
 }
 
 Vec3d angular_momentum(const ParticleSnapshot& s) {
   Vec3d l{0, 0, 0};
   for (std::size_t k = 0; k < s.size(); ++k)
-    l += s.mass[k] * cross(s.position[k], s.velocity[k]) + 0.4 * s.mass[k] * s.radius[k] * s.radius[k] * s.spin[k];
+    l += s.mass[k] * cross(s.position[k], s.velocity[k]) +
+         0.4 * s.mass[k] * s.radius[k] * s.radius[k] * s.angular_velocity[k];
   return l;
 }
 
 /// Test 8 in a form with a closed answer: a sphere that spins and slides hits one of another size.
 void unequal_pair(Recorder& out, double other) {
-  const double spin = 22.86, slide = 0.3;
+  const double angular_velocity = 22.86, slide = 0.3;
   const ElasticImpact theory(youngs_against_rigid(alloy), radius, sphere_mass(radius, alloy.density), fall);
-  Stage stage(scene_of(alloy, rigid(), rough, theory.duration / 2000), out.loads());
-  stage.insert({sphere(0, {0, 0, radius}, {slide, 0, -fall}, radius, alloy.density, {3, spin, 1})});
+  Stage stage(scene_of(alloy, rigid(), rough, theory.duration / 2000), out.precision());
+  stage.insert({sphere(0, {0, 0, radius}, {slide, 0, -fall}, radius, alloy.density, {3, angular_velocity, 1})});
   stage.insert({sphere(1, {0, 0, -other}, {0, 0, 0}, other, alloy.density)});
   const Vec3d p0 = stage.dem().momentum(), l0 = angular_momentum(stage.dem().particles());
   stage.advance(8000);
@@ -108,15 +114,16 @@ void unequal_pair(Recorder& out, double other) {
 
 /// A partner of 50 m is a wall, though half as stiff as a rigid one.
 void huge_partner(Recorder& out) {
-  const double spin = 22.86, other = 50;
+  const double angular_velocity = 22.86, other = 50;
   const ElasticImpact theory(youngs_of_pair(alloy), radius, sphere_mass(radius, alloy.density), fall);
-  Stage stage(scene_of(alloy, rigid(), rough, theory.duration / 2000), out.loads());
-  stage.insert({sphere(0, {0, 0, radius}, {0, 0, -fall}, radius, alloy.density, {0, spin, 0})});
+  Stage stage(scene_of(alloy, rigid(), rough, theory.duration / 2000), out.precision());
+  stage.insert({sphere(0, {0, 0, radius}, {0, 0, -fall}, radius, alloy.density, {0, angular_velocity, 0})});
   stage.insert({sphere(1, {0, 0, -other}, {0, 0, 0}, other, alloy.density)});
   stage.advance(8000);
   const ParticleSnapshot s = stage.dem().particles();
   out.relative("velocity", s.velocity[0].x, gained, {3e-3, 3e-3}, "test 6 on a wall");
-  out.relative("spin", s.spin[0].y, spin - 2.5 * gained / radius, {3e-3, 3e-3}, "test 6 on a wall");
+  out.relative("spin", s.angular_velocity[0].y, angular_velocity - 2.5 * gained / radius, {3e-3, 3e-3},
+               "test 6 on a wall");
   out.relative("rebound", s.velocity[0].z / fall, 0.5, {3e-3, 3e-3}, "test 6 on a wall");
 }
 

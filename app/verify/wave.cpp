@@ -33,7 +33,7 @@ double half_time(int sphere) {
 /// The clamp begins to move; when spheres 10, 20 ... 40 have half its speed.
 void front(Recorder& out) {
   constexpr double push = 1e-3;
-  Stage stage(bonded_scene(2e-7, paper_bonds()), out.loads());
+  Stage stage(bonded_scene(2e-7, paper_bonds()), out.precision());
   NewRock rock = chain(0, length, true);
   rock.particles[0].velocity = {push, 0, 0};
   stage.insert({rock});
@@ -68,7 +68,7 @@ void dispersion(Recorder& out) {
     const double exact = mode_frequency(j, k.normal, mass);
     constexpr int samples = 800;
     const int every = static_cast<int>(std::ceil(20 / exact / samples / 3e-7 / (j < 10 ? 10 : 1)));
-    Stage stage(bonded_scene(20 / exact / samples / every, paper_bonds()), out.loads());
+    Stage stage(bonded_scene(20 / exact / samples / every, paper_bonds()), out.precision());
     NewRock rock = chain(0, length, true);
     for (int p = 1; p <= length; ++p)
       rock.particles[static_cast<std::size_t>(p)].velocity.x = 1e-3 * std::sin((2 * j - 1) * pi * p / (2 * length + 1));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/scene.hpp"
 #include "core/laws/hertz_mindlin.hpp"
 #include "core/laws/restitution.hpp"
+#include "core/scene/scene.hpp"
 
 namespace gyro {
 
@@ -23,7 +23,7 @@ ContactLaw<Real> contact_law(const Scene& scene, Index a, Index b) {
   law.damping = static_cast<Real>(damping_for_restitution(pair.restitution));
   law.friction = static_cast<Real>(pair.friction);
   law.rolling = static_cast<Real>(pair.rolling_friction);
-  law.dt = static_cast<Real>(scene.hold * scene.dt);
+  law.dt = static_cast<Real>(scene.substeps * scene.dt);
   return law;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dem/dem_solver.hpp"
-#include "core/fragments/labels.hpp"
+#include "core/state/fragment_labels.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -15,7 +15,7 @@ namespace gyro {
 template <class Exec, class Real>
 ParticleSums DemSolver<Exec, Real>::particle_sums() const {
   return exec_.template reduce<ParticleSums>("sum particles", particle_count(),
-                                             SumParticles{view(), scene_.gravity, held_time()});
+                                             SumParticles{view(), scene_.gravity, hold_time()});
 }
 
 template <class Exec, class Real>
@@ -58,9 +58,9 @@ Extremes DemSolver<Exec, Real>::extremes_now(bool with_bonds) const {
   x.overlap_ratio = contacts.overlap_ratio;
   x.speed_ratio = sums.overspeed;
   x.fastest = sums.fastest;
-  x.turn = sums.turn;
-  x.spinner = sums.spinner;
-  x.bond_turn = bonds.turn;
+  x.rotation = sums.rotation;
+  x.fastest_rotating = sums.fastest_rotating;
+  x.bond_rotation = bonds.rotation;
   x.twisted = bonds.twisted;
   return x;
 }
@@ -73,15 +73,15 @@ inline Extremes worst_of(const Extremes& a, const Extremes& b) {
   x.finite = a.finite && b.finite;
   x.overlap_ratio = larger(a.overlap_ratio, b.overlap_ratio);
   if (b.speed_ratio > a.speed_ratio) x.speed_ratio = b.speed_ratio, x.fastest = b.fastest;
-  if (b.turn > a.turn) x.turn = b.turn, x.spinner = b.spinner;
-  if (b.bond_turn > a.bond_turn) x.bond_turn = b.bond_turn, x.twisted = b.twisted;
+  if (b.rotation > a.rotation) x.rotation = b.rotation, x.fastest_rotating = b.fastest_rotating;
+  if (b.bond_rotation > a.bond_rotation) x.bond_rotation = b.bond_rotation, x.twisted = b.twisted;
   return x;
 }
 
 template <class Exec, class Real>
 Extremes DemSolver<Exec, Real>::extremes() const {
   Extremes x = extremes_now(false);
-  if (passed_) x = worst_of(x, *passed_);
+  if (first_excess_) x = worst_of(x, *first_excess_);
   if (smallest_radius_ > 0 && wall_step_ > 0) {
     x.wall_step = wall_step_ / smallest_radius_;
     x.fast_wall = fast_wall_;
@@ -111,7 +111,7 @@ void DemSolver<Exec, Real>::drain_breakages(const Window& window) {
   const auto& events = Exec::host(events_);
   const auto& bond_i = Exec::host(bonds_.i);
   const auto& bond_j = Exec::host(bonds_.j);
-  const auto& place = Exec::host(particles_.place);
+  const auto& place = Exec::host(particles_.position);
   const auto& id = Exec::host(particles_.id);
   const auto& block = Exec::host(particles_.block);
   const auto& blocks = Exec::host(blocks_);
@@ -139,7 +139,7 @@ void DemSolver<Exec, Real>::drain_breakages(const Window& window) {
 
 /// Places of the particles in order of id: the arrays are in order of arrival.
 template <class Exec, class Real>
-std::vector<Index> DemSolver<Exec, Real>::places_by_id() const {
+std::vector<Index> DemSolver<Exec, Real>::rows_by_id() const {
   const auto& id = Exec::host(particles_.id);
   std::vector<Index> places(id.size());
   std::iota(places.begin(), places.end(), 0);
@@ -150,62 +150,62 @@ std::vector<Index> DemSolver<Exec, Real>::places_by_id() const {
 
 template <class Exec, class Real>
 ParticleSnapshot DemSolver<Exec, Real>::particles() const {
-  const auto& place = Exec::host(particles_.place);
+  const auto& place = Exec::host(particles_.position);
   const auto& motion = Exec::host(particles_.motion);
-  const auto& spin = Exec::host(particles_.spin);
+  const auto& angular = Exec::host(particles_.angular_motion);
   const auto& load = Exec::host(particles_.load);
   const auto& id = Exec::host(particles_.id);
   const auto& block = Exec::host(particles_.block);
   const auto& blocks = Exec::host(blocks_);
   ParticleSnapshot s;
-  for (const Index row : places_by_id()) {
+  for (const Index row : rows_by_id()) {
     const auto k = static_cast<std::size_t>(row);
     s.id.push_back(id[k]);
     s.rock.push_back(block[k] == none ? none : blocks[static_cast<std::size_t>(block[k])].rock);
     s.position.push_back(place[k].x);
     s.velocity.push_back(motion[k].v);
-    s.spin.push_back(spin[k].w);
+    s.angular_velocity.push_back(angular[k].w);
     s.force.push_back(load[k].force - motion[k].mass * scene_.gravity);
     s.radius.push_back(place[k].radius);
     s.mass.push_back(motion[k].mass);
   }
-  const GluedBonds glued = glued_bonds();
-  s.fragment = fragment_labels(particle_count(), glued.i, glued.j);
+  const IntactBonds intact = intact_bonds();
+  s.fragment = fragment_labels(particle_count(), intact.i, intact.j);
   return s;
 }
 
 template <class Exec, class Real>
-auto DemSolver<Exec, Real>::glued_bonds() const -> GluedBonds {
+auto DemSolver<Exec, Real>::intact_bonds() const -> IntactBonds {
   const auto& i = Exec::host(bonds_.i);
   const auto& j = Exec::host(bonds_.j);
   const auto& state = Exec::host(bonds_.state);
-  const std::vector<Index> places = places_by_id();
+  const std::vector<Index> places = rows_by_id();
   std::vector<Index> row(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) row[static_cast<std::size_t>(places[k])] = static_cast<Index>(k);
-  GluedBonds glued;
+  IntactBonds intact;
   for (std::size_t b = 0; b < i.size(); ++b) {
-    if (state[b] != bond_glued) continue;
-    glued.bond.push_back(b);
-    glued.i.push_back(row[static_cast<std::size_t>(i[b])]);
-    glued.j.push_back(row[static_cast<std::size_t>(j[b])]);
+    if (state[b] != bond_intact) continue;
+    intact.bond.push_back(b);
+    intact.i.push_back(row[static_cast<std::size_t>(i[b])]);
+    intact.j.push_back(row[static_cast<std::size_t>(j[b])]);
   }
-  return glued;
+  return intact;
 }
 
 template <class Exec, class Real>
 BondSnapshot DemSolver<Exec, Real>::bonds() const {
   BondSnapshot s;
   if (!has_bonds()) return s;
-  Buffer<BondNow> noted;
+  Buffer<BondReading> noted;
   noted.resize(bonds_.i.size());
   exec_.for_each("note bonds", static_cast<Index>(noted.size()),
-                 NoteBonds<Real>{view(), bond_view(), bond_law(), noted.data()});
+                 ReadBonds<Real>{view(), bond_view(), bond_law(), noted.data()});
   const auto& now = Exec::host(noted);
   const auto& radius = Exec::host(bonds_.radius);
-  GluedBonds glued = glued_bonds();
-  s.i = std::move(glued.i);
-  s.j = std::move(glued.j);
-  for (const std::size_t b : glued.bond) {
+  IntactBonds intact = intact_bonds();
+  s.i = std::move(intact.i);
+  s.j = std::move(intact.j);
+  for (const std::size_t b : intact.bond) {
     s.normal_force.push_back(now[b].normal_force);
     s.stress_ratio.push_back(now[b].stress_ratio);
     s.radius.push_back(static_cast<double>(radius[b]));

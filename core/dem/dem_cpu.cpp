@@ -5,8 +5,8 @@
 
 namespace gyro {
 
-std::unique_ptr<Dem> make_cpu_dem(const Scene& scene, Loads loads, int threads) {
-  if (loads == Loads::single) return std::make_unique<DemSolver<Cpu, float>>(scene, Cpu(threads));
+std::unique_ptr<Dem> make_cpu_dem(const Scene& scene, Precision precision, int threads) {
+  if (precision == Precision::mixed) return std::make_unique<DemSolver<Cpu, float>>(scene, Cpu(threads));
   return std::make_unique<DemSolver<Cpu, double>>(scene, Cpu(threads));
 }
 

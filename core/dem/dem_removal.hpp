@@ -39,10 +39,10 @@ struct KeptBonds {
       if (c + 1 == block.end_colour) break;
       for (Index n = old.colour_begin[c]; n < old.colour_begin[c + 1]; ++n) {
         const Index first = old.new_index[old.i[n]], second = old.new_index[old.j[n]];
-        if (old.state[n] != bond_gone && first != none && second != none) add(n, first, second, old.state[n]);
+        if (old.state[n] != bond_broken && first != none && second != none) add(n, first, second, old.state[n]);
       }
     }
-    while (source.size() % bond_alignment != 0) add(none, filler, filler, bond_gone);
+    while (source.size() % bond_alignment != 0) add(none, filler, filler, bond_broken);
   }
 };
 
@@ -165,7 +165,7 @@ void DemSolver<Exec, Real>::keep_pairs(const Remaining& remaining) {
     }
     rows.push_back(static_cast<Index>(kept_ends.size()));
   }
-  Exec::keep(pairs_.memory, source);
+  Exec::keep(pairs_.history, source);
   Exec::keep(pairs_.result, source);
   Exec::keep(pairs_.touching, source);
   Exec::upload(pairs_.pairs, std::move(kept));
@@ -189,7 +189,7 @@ void DemSolver<Exec, Real>::keep_walls(const Remaining& remaining) {
     }
     rows.push_back(static_cast<Index>(kept.size()));
   }
-  Exec::keep(walls_.memory, source);
+  Exec::keep(walls_.history, source);
   Exec::keep(walls_.result, source);
   Exec::keep(walls_.touching, source);
   Exec::keep(walls_.sums, source);

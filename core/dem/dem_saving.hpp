@@ -16,7 +16,7 @@ struct RowOf<Sphere> : MadeOf<double> {};
 template <>
 struct RowOf<Motion> : MadeOf<double> {};
 template <>
-struct RowOf<Spin> : MadeOf<double> {};
+struct RowOf<AngularMotion> : MadeOf<double> {};
 template <>
 struct RowOf<Load> : MadeOf<double> {};
 template <>
@@ -30,7 +30,7 @@ struct RowOf<Block> : MadeOf<std::int32_t> {};
 template <>
 struct RowOf<Pair> : MadeOf<Index> {};
 template <class Real>
-struct RowOf<ContactPast<Real>> : MadeOf<Real> {};
+struct RowOf<ContactHistory<Real>> : MadeOf<Real> {};
 template <>
 struct RowOf<WallEntry> : MadeOf<Index> {};
 template <>
@@ -41,7 +41,7 @@ struct RowOf<WallSum> : MadeOf<std::int64_t> {};
 /// A touch of a wall: what it remembers, and its normal.
 template <class Real>
 struct SavedTouch {
-  ContactMemory<Real> contact;
+  ContactHistory<Real> contact;
   Vec3<Real> normal;
 };
 template <class Real>
@@ -82,14 +82,14 @@ SavedState DemSolver<Exec, Real>::save() const {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::save_pairs(SavedState& s) const {
   const auto& pairs = Exec::host(pairs_.pairs);
-  const auto& memory = Exec::host(pairs_.memory);
+  const auto& history = Exec::host(pairs_.history);
   const auto& touching = Exec::host(pairs_.touching);
   Host<Pair> touching_pairs;
-  Host<ContactMemory<Real>> remembered;
+  Host<ContactHistory<Real>> remembered;
   for (std::size_t n = 0; n < pairs.size(); ++n) {
     if (!touching[n]) continue;
     touching_pairs.push_back({pairs[n].i, pairs[n].j, none});
-    remembered.push_back(memory[n]);
+    remembered.push_back(history[n]);
   }
   s.put("contacts/pair", touching_pairs);
   s.put("contacts/memory", remembered);
@@ -98,7 +98,7 @@ void DemSolver<Exec, Real>::save_pairs(SavedState& s) const {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::save_walls(SavedState& s) const {
   const auto& entries = Exec::host(walls_.entries);
-  const auto& memory = Exec::host(walls_.memory);
+  const auto& history = Exec::host(walls_.history);
   const auto& touching = Exec::host(walls_.touching);
   Host<WallEntry> touching_entries;
   Host<std::int32_t> touches;
@@ -106,8 +106,8 @@ void DemSolver<Exec, Real>::save_walls(SavedState& s) const {
   for (std::size_t n = 0; n < entries.size(); ++n) {
     if (!touching[n]) continue;
     touching_entries.push_back(entries[n]);
-    touches.push_back(memory[n].count);
-    for (int k = 0; k < memory[n].count; ++k) remembered.push_back({memory[n].contact[k], memory[n].normal[k]});
+    touches.push_back(history[n].count);
+    for (int k = 0; k < history[n].count; ++k) remembered.push_back({history[n].contact[k], history[n].normal[k]});
   }
   s.put("walls/entry", touching_entries);
   s.put("walls/touches", touches);
@@ -155,7 +155,7 @@ void DemSolver<Exec, Real>::restore_pairs(const SavedState& s) {
   const std::size_t count = pairs.size();
   pairs_.result.resize(count);
   pairs_.ends.resize(2 * count);
-  Exec::upload(pairs_.memory, s.get<ContactMemory<Real>>("contacts/memory", count));
+  Exec::upload(pairs_.history, s.get<ContactHistory<Real>>("contacts/memory", count));
   Exec::upload(pairs_.touching, Host<std::int8_t>(count, 1));
   Exec::upload(pairs_.pairs, std::move(pairs));
   list_ends();
@@ -168,21 +168,21 @@ void DemSolver<Exec, Real>::restore_walls(const SavedState& s) {
   const Host<std::int32_t> touches = s.get<std::int32_t>("walls/touches", count);
   const auto remembered = s.get<SavedTouch<Real>>(
       "walls/memory", static_cast<std::size_t>(std::accumulate(touches.begin(), touches.end(), 0)));
-  Host<WallMemory<Real>> memory(count);
+  Host<WallHistory<Real>> history(count);
   Host<Index> row_begin(static_cast<std::size_t>(particle_count()) + 1, 0);
   auto touch = remembered.begin();
   for (std::size_t n = 0; n < count; ++n) {
-    memory[n].count = touches[n];
+    history[n].count = touches[n];
     for (int k = 0; k < touches[n]; ++k, ++touch) {
-      memory[n].contact[k] = touch->contact;
-      memory[n].normal[k] = touch->normal;
+      history[n].contact[k] = touch->contact;
+      history[n].normal[k] = touch->normal;
     }
     ++row_begin[static_cast<std::size_t>(entries[n].particle) + 1];
   }
   std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
   walls_.result.resize(count);
-  walls_.later.resize(count);
-  Exec::upload(walls_.memory, std::move(memory));
+  walls_.carried_over.resize(count);
+  Exec::upload(walls_.history, std::move(history));
   Exec::upload(walls_.touching, Host<std::int8_t>(count, 1));
   Exec::upload(walls_.sums, Host<WallSum>(count));
   Exec::upload(walls_.entries, std::move(entries));

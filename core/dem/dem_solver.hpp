@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/dem/contact_laws.hpp"
-#include "core/dem/dem.hpp"
 #include "core/dem/wall_surfaces.hpp"
 #include "core/kernels/accounts.hpp"
 #include "core/kernels/gather.hpp"
@@ -10,6 +9,7 @@
 #include "core/kernels/neighbours.hpp"
 #include "core/kernels/pair_forces.hpp"
 #include "core/kernels/wall_lists.hpp"
+#include "core/scene/dem.hpp"
 
 namespace gyro {
 
@@ -49,7 +49,7 @@ class DemSolver final : public Dem {
   /// Neighbour lists: two of each, so that memory is carried from the old to the new.
   struct PairLists {
     Buffer<Pair> pairs;
-    Buffer<ContactMemory<Real>> memory;
+    Buffer<ContactHistory<Real>> history;
     Buffer<PairResult<Real>> result;
     Buffer<std::int8_t> touching;
     Buffer<Index> row_begin;
@@ -57,25 +57,25 @@ class DemSolver final : public Dem {
   };
   struct WallLists {
     Buffer<WallEntry> entries;
-    Buffer<WallMemory<Real>> memory;
+    Buffer<WallHistory<Real>> history;
     Buffer<WallResult<Real>> result;
     Buffer<std::int8_t> touching;
-    Buffer<WallSum> sums, later;
+    Buffer<WallSum> sums, carried_over;
     Buffer<Index> row_begin;
   };
 
   // dem_step.hpp
   void place_walls(const Window& window, const MantlePath& path);
   void prime();
-  void step(std::int64_t number, bool fresh, bool closing);
+  void step(std::int64_t number, bool first_of_hold, bool closing);
   void move();
   void bond_forces(std::int64_t number);
-  void contact_forces(double ahead, double later);
+  void contact_forces(double half_hold_offset, double carry_over);
   template <bool held>
-  void launch_contacts(double ahead, double later);
-  void gather(bool fresh, bool kick);
-  bool lists_stale(const Host<std::int32_t>& flags) const;
-  void note_passed();
+  void launch_contacts(double half_hold_offset, double carry_over);
+  void gather(bool first_of_hold, bool kick);
+  bool neighbours_stale(const Host<std::int32_t>& flags) const;
+  void record_excess();
   void close_window(const Window& window);
 
   // dem_lists.hpp
@@ -89,7 +89,7 @@ class DemSolver final : public Dem {
   void list_ends();
   void list_walls();
   void book_walls();
-  void book_later();
+  void carry_over_walls();
   void keep_impulses(const Buffer<WallSum>& booked);
   void note_impulses();
 
@@ -99,7 +99,7 @@ class DemSolver final : public Dem {
     Bonds<Host, Real> bonds;
     Host<Block> blocks;
     Host<Index> colour_begin;
-    std::int64_t bonds_glued = 0;
+    std::int64_t bonds_intact = 0;
     double exchanged = 0;  ///< EnergyTerms::exchanged with the new rock [J]
   };
   /// Particles that stay: new place of every particle, or none; old place of those that stay.
@@ -108,15 +108,15 @@ class DemSolver final : public Dem {
   };
 
   /// Bonds that hold: their places, and their ends as rows of a snapshot.
-  struct GluedBonds {
+  struct IntactBonds {
     Host<std::size_t> bond;
     Host<Index> i, j;
   };
 
   // dem_exchange.hpp
-  void arrive(const NewRock& rock, Arrivals& fresh) const;
-  void arrive_bonds(const NewRock& rock, Index first_particle, Arrivals& fresh) const;
-  void take_in(const Arrivals& fresh);
+  void arrive(const NewRock& rock, Arrivals& first_of_hold) const;
+  void arrive_bonds(const NewRock& rock, Index first_particle, Arrivals& first_of_hold) const;
+  void take_in(const Arrivals& first_of_hold);
   void index_bonds();
   void resize_rows();
 
@@ -133,8 +133,8 @@ class DemSolver final : public Dem {
   BondSums bond_sums() const;
   Extremes extremes_now(bool with_bonds) const;
   void drain_breakages(const Window& window);
-  std::vector<Index> places_by_id() const;
-  GluedBonds glued_bonds() const;
+  std::vector<Index> rows_by_id() const;
+  IntactBonds intact_bonds() const;
 
   // dem_saving.hpp
   void save_pairs(SavedState& s) const;
@@ -148,10 +148,12 @@ class DemSolver final : public Dem {
   PairView<Real> pair_view(const PairLists& lists) const;
   WallView<Real> wall_view(const WallLists& lists) const;
   BondLaw<Real> bond_law() const;
-  double ahead() const { return 0.5 * (scene_.hold - 1) * scene_.dt; }  ///< to the middle of a hold [s]
-  double left_over() const { return 0.5 / scene_.hold; }  ///< share of a hold in the next window's first half kick
-  double held_time() const { return scene_.hold * scene_.dt; }  ///< [s]
-  Index particle_count() const { return static_cast<Index>(particles_.place.size()); }
+  double half_hold_offset() const { return 0.5 * (scene_.substeps - 1) * scene_.dt; }  ///< to the middle of a hold [s]
+  double carry_over_fraction() const {
+    return 0.5 / scene_.substeps;
+  }  ///< share of a hold in the next window's first half kick
+  double hold_time() const { return scene_.substeps * scene_.dt; }  ///< [s]
+  Index particle_count() const { return static_cast<Index>(particles_.position.size()); }
   bool has_bonds() const { return scene_.bonds.has_value(); }
 
   Scene scene_;
@@ -178,14 +180,14 @@ class DemSolver final : public Dem {
 
   Buffer<WallPose> pose_table_;      ///< steps + 1 rows of one pose a wall
   const WallPose* poses_ = nullptr;  ///< row of this step
-  std::vector<WallPose> host_table_, poses_now_, poses_listed_, end_poses_;
-  double margin_ = 0;
+  std::vector<WallPose> host_table_, poses_now_, listed_poses_, end_poses_;
+  double skin_ = 0;
   bool listed_ = false, primed_ = false;
 
   std::vector<WallSum> wall_sums_;  ///< of the window so far, one a wall; between windows what is left of the last step
   std::vector<WallLoad> wall_loads_;
-  std::optional<Extremes> passed_;  ///< of the first step of the window that passed a limit
-  double wall_step_ = 0;            ///< largest way of a wall in a step of the window [m]
+  std::optional<Extremes> first_excess_;  ///< of the first step of the window that passed a limit
+  double wall_step_ = 0;                  ///< largest way of a wall in a step of the window [m]
   Index fast_wall_ = none;
   double smallest_radius_ = 0;  ///< of the particles when lists were built [m]
   EnergyTerms booked_;          ///< of what has left, and what events and walls added

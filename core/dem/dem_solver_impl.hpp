@@ -31,8 +31,8 @@ DemSolver<Exec, Real>::DemSolver(Scene scene, Exec exec)
 template <class Exec, class Real>
 ParticleView DemSolver<Exec, Real>::view() const {
   auto& p = const_cast<DemSolver*>(this)->particles_;
-  return {p.place.data(),     p.motion.data(),    p.spin.data(),   p.turn.data(), p.load.data(),
-          p.bond_load.data(), p.listed_at.data(), p.losses.data(), p.id.data(),   p.block.data()};
+  return {p.position.data(),  p.motion.data(),          p.angular_motion.data(), p.orientation.data(), p.load.data(),
+          p.bond_load.data(), p.listed_position.data(), p.losses.data(),         p.id.data(),          p.block.data()};
 }
 
 template <class Exec, class Real>
@@ -54,7 +54,7 @@ template <class Exec, class Real>
 PairView<Real> DemSolver<Exec, Real>::pair_view(const PairLists& lists) const {
   auto& l = const_cast<PairLists&>(lists);
   return {l.pairs.data(),
-          l.memory.data(),
+          l.history.data(),
           l.result.data(),
           l.touching.data(),
           l.row_begin.data(),
@@ -65,8 +65,11 @@ PairView<Real> DemSolver<Exec, Real>::pair_view(const PairLists& lists) const {
 template <class Exec, class Real>
 WallView<Real> DemSolver<Exec, Real>::wall_view(const WallLists& lists) const {
   auto& l = const_cast<WallLists&>(lists);
-  return {surfaces_.data(),  poses_,        l.entries.data(), l.memory.data(),    l.result.data(),
-          l.touching.data(), l.sums.data(), l.later.data(),   l.row_begin.data(), static_cast<Index>(l.entries.size())};
+  return {surfaces_.data(),   poses_,
+          l.entries.data(),   l.history.data(),
+          l.result.data(),    l.touching.data(),
+          l.sums.data(),      l.carried_over.data(),
+          l.row_begin.data(), static_cast<Index>(l.entries.size())};
 }
 
 template <class Exec, class Real>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/state/walls.hpp"
-#include "core/walls/mesh_grid.hpp"
-#include "core/walls/profile_surface.hpp"
+#include "core/surfaces/mesh_grid.hpp"
+#include "core/surfaces/profile_surface.hpp"
 
 #include <list>
 

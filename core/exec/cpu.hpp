@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exec/pack_lanes.hpp"
 #include "core/exec/phase_timer.hpp"
 #include "core/exec/thread_team.hpp"
+#include "core/kernels/bond_pack.hpp"
 #include "core/state/bonds.hpp"
 
 #include <algorithm>

@@ -55,14 +55,14 @@ class ThreadTeam {
   }
 
   void serve(int thread) {
-    for (int seen = 0;;) {
-      for (int looks = 0; ticket_.load(std::memory_order_acquire) == seen; ++looks) {
+    for (int contact_position = 0;;) {
+      for (int looks = 0; ticket_.load(std::memory_order_acquire) == contact_position; ++looks) {
         if (looks < patience)
           pause();
         else
-          ticket_.wait(seen, std::memory_order_acquire);
+          ticket_.wait(contact_position, std::memory_order_acquire);
       }
-      ++seen;
+      ++contact_position;
       if (stop_) return;
       call_(work_, thread);
       pending_.fetch_sub(1, std::memory_order_acq_rel);

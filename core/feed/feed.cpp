@@ -66,11 +66,11 @@ void Feed::check_plan() const {
     throw BadInput("the feed has a batch or a rate but no region where it enters; give one");
   }
   // A mass is kept to half a rock: less than half of the lightest one would feed nothing.
-  const double least = *std::min_element(masses_.begin(), masses_.end()) / 2;
+  const double minimum = *std::min_element(masses_.begin(), masses_.end()) / 2;
   for (const double mass : {plan_.initial, plan_.batch}) {
-    if (mass > 0 && mass <= least)
+    if (mass > 0 && mass <= minimum)
       throw BadInput("a feed of " + std::to_string(mass) + " kg is less than half of the lightest rock, " +
-                     std::to_string(2 * least) + " kg; accepted are a larger mass or smaller rocks");
+                     std::to_string(2 * minimum) + " kg; accepted are a larger mass or smaller rocks");
   }
   if (plan_.initial > 0) check_fits("a particle", *charge_, 2 * largest_radius_);
   if (!entry_) return;
@@ -125,7 +125,7 @@ NewRock Feed::instance(Index kind, const RockPose& pose, Bed& bed) {
   made.id = plan_.first_rock + static_cast<RockId>(state_.rocks);
   const auto first = static_cast<ParticleId>(plan_.first_particle + state_.particles);
   for (std::size_t k = 0; k < rock.centres.size(); ++k) {
-    const Vec3d centre = pose.position + rotate(pose.turn, rock.centres[k]);
+    const Vec3d centre = pose.position + rotate(pose.orientation, rock.centres[k]);
     const auto id = first + static_cast<ParticleId>(k);
     made.particles.push_back({id, centre, {0, 0, 0}, {0, 0, 0}, rock.radii[k], rock.particle_density});
     bed.add(centre, rock.radii[k]);
@@ -156,7 +156,7 @@ void Feed::check_fixed(const FixedRock& fixed, const Bed& bed) const {
   }
   const RockTemplate& rock = library_.rocks[static_cast<std::size_t>(fixed.rock)];
   for (std::size_t k = 0; k < rock.centres.size(); ++k) {
-    const Vec3d centre = fixed.position + rotate(fixed.turn, rock.centres[k]);
+    const Vec3d centre = fixed.position + rotate(fixed.orientation, rock.centres[k]);
     // Touching is allowed: a rock may stand on a platen. The slack is rounding of the input.
     const double radius = rock.radii[k] * (1 - 1e-9);
     if (bed.raised(centre, radius, 0) > centre.z) {
@@ -174,7 +174,7 @@ std::vector<NewRock> Feed::initial(std::span<const WallPose> poses, const Partic
   std::vector<NewRock> rocks;
   for (const FixedRock& fixed : plan_.fixed) {
     check_fixed(fixed, bed);
-    rocks.push_back(instance(fixed.rock, {fixed.position, fixed.turn}, bed));
+    rocks.push_back(instance(fixed.rock, {fixed.position, fixed.orientation}, bed));
   }
   if (plan_.initial > 0) charge(bed, rocks);
   state_.charged = fed_mass();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/dem.hpp"
 #include "core/feed/placement.hpp"
 #include "core/feed/region.hpp"
 #include "core/rocks/rock_template.hpp"
+#include "core/scene/dem.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -21,7 +21,7 @@ using BondStrength = std::function<double(RockId rock, ParticleId i, ParticleId 
 struct FixedRock {
   Index rock;  ///< in the library
   Vec3d position;
-  Quatd turn{1, 0, 0, 0};
+  Quatd orientation{1, 0, 0, 0};
 };
 
 /// What is fed, where and when. All rocks start at rest.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/errors.hpp"
 #include "core/feed/placement.hpp"
-#include "core/walls/motion.hpp"
+#include "core/scene/wall_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -16,9 +16,9 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// The random numbers of one rock, in order of use.
 struct Draws {
   std::uint64_t seed, rock;
-  std::uint32_t place, turn;
+  std::uint32_t place, orientation;
   double next_place() { return uniform(seed, Stream::place, rock, place++); }
-  double next_turn() { return uniform(seed, Stream::turn, rock, turn++); }
+  double next_turn() { return uniform(seed, Stream::turn, rock, orientation++); }
   Quatd any_turn() {
     const double u = next_turn(), v = next_turn(), w = next_turn();
     return uniform_turn(u, v, w);
@@ -67,12 +67,13 @@ double Placement::raised(const Vec3d& centre, double radius) const {
   return never;
 }
 
-double Placement::lowest_height(const RockTemplate& rock, double x, double y, const Quatd& turn, double limit) const {
+double Placement::lowest_height(const RockTemplate& rock, double x, double y, const Quatd& orientation,
+                                double limit) const {
   const std::size_t n = rock.centres.size();
   std::vector<Vec3d> arm(n);
   double foot = 0, top = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    arm[k] = rotate(turn, rock.centres[k]);
+    arm[k] = rotate(orientation, rock.centres[k]);
     foot = std::min(foot, arm[k].z - rock.radii[k]);
     top = std::max(top, arm[k].z + rock.radii[k]);
   }
@@ -93,10 +94,10 @@ std::optional<RockPose> Placement::lowest(const RockTemplate& rock, const Search
   const auto first = search.attempt * static_cast<std::uint32_t>(3 * search.places + 4 * search.improvements);
   Draws draws{search.seed, search.rock, first, first};
   RockPose best{{0, 0, never}, {1, 0, 0, 0}};
-  const auto offer = [&](double x, double y, const Quatd& turn) {
-    const double z = lowest_height(rock, x, y, turn, best.position.z);
+  const auto offer = [&](double x, double y, const Quatd& orientation) {
+    const double z = lowest_height(rock, x, y, orientation, best.position.z);
     const bool lower = z < best.position.z;
-    if (lower) best = {{x, y, z}, turn};
+    if (lower) best = {{x, y, z}, orientation};
     return lower;
   };
   for (int k = 0; k < search.places; ++k) {
@@ -109,8 +110,8 @@ std::optional<RockPose> Placement::lowest(const RockTemplate& rock, const Search
   double step = 0.5 * rock.bounding_radius, angle = 1;
   for (int k = 0; k < search.improvements; ++k) {
     const double t = 2 * std::numbers::pi * draws.next_place(), r = step * draws.next_place();
-    const Quatd turn = normalised(draws.small_turn(angle) * best.turn);
-    if (!offer(best.position.x + r * std::cos(t), best.position.y + r * std::sin(t), turn)) {
+    const Quatd orientation = normalised(draws.small_turn(angle) * best.orientation);
+    if (!offer(best.position.x + r * std::cos(t), best.position.y + r * std::sin(t), orientation)) {
       step *= 0.93;
       angle *= 0.93;
     }

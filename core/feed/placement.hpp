@@ -17,7 +17,7 @@ namespace gyro {
 /// Where a rock lies: of its centre of mass.
 struct RockPose {
   Vec3d position;
-  Quatd turn;
+  Quatd orientation;
 };
 
 /// Unit quaternion, uniform over all rotations (Shoemake 1992, Graphics Gems III).
@@ -91,7 +91,7 @@ class Placement {
   /// Lowest free height of the rock's centre at (x, y), up to a limit; infinite if there is none.
   /// Every sphere that is in the way raises the rock by the least that can free it, so no
   /// free height is passed over (at walls: by more than the gap).
-  double lowest_height(const RockTemplate& rock, double x, double y, const Quatd& turn, double limit) const;
+  double lowest_height(const RockTemplate& rock, double x, double y, const Quatd& orientation, double limit) const;
 
  private:
   double raised(const Vec3d& centre, double radius) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/feed/wall_distance.hpp"
 
-#include "core/walls/motion.hpp"
+#include "core/scene/wall_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/scene.hpp"
 #include "core/feed/triangle_distance.hpp"
+#include "core/scene/scene.hpp"
 
 #include <vector>
 

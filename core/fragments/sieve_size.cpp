@@ -61,7 +61,7 @@ Matrix3 second_moments(std::span<const Vec3d> centres, std::span<const double> r
 }
 
 /// Turns columns p and q of a matrix by the angle with this cosine and sine.
-void turn_columns(Matrix3& m, std::size_t p, std::size_t q, double c, double s) {
+void orientation_columns(Matrix3& m, std::size_t p, std::size_t q, double c, double s) {
   for (auto& row : m) {
     const double rp = row[p], rq = row[q];
     row[p] = c * rp - s * rq;
@@ -88,10 +88,10 @@ Matrix3 eigenvectors(Matrix3 m) {
       const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
       const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
       const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-      turn_columns(m, p, q, c, s);
+      orientation_columns(m, p, q, c, s);
       m = transposed(m);
-      turn_columns(m, p, q, c, s);
-      turn_columns(v, p, q, c, s);
+      orientation_columns(m, p, q, c, s);
+      orientation_columns(v, p, q, c, s);
     }
   }
   return v;

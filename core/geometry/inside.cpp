@@ -15,7 +15,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
 /// Above this, testing every plane is slower than the tree.
-constexpr std::size_t most_planes = 500;
+constexpr std::size_t max_planes = 500;
 
 Surface to_surface(const TriangleMesh& mesh) {
   Surface surface;
@@ -36,7 +36,7 @@ struct InsideTest::Tree {
 };
 
 InsideTest::InsideTest(const TriangleMesh& solid) {
-  if (solid.triangles.size() <= most_planes) {
+  if (solid.triangles.size() <= max_planes) {
     for (const auto& t : solid.triangles) {
       const Vec3d a = solid.vertices[t.x];
       const Vec3d n = cross(solid.vertices[t.y] - a, solid.vertices[t.z] - a);

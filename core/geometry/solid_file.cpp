@@ -9,10 +9,10 @@
 namespace gyro {
 namespace {
 
-constexpr double weld_limit = 1e-4;    // [diagonal]
-constexpr double speck_share = 0.01;   // of the largest body's volume
-constexpr double hole_share = 0.01;    // of the surface
-constexpr double least_volume = 1e-9;  // [diagonal^3]
+constexpr double weld_limit = 1e-4;   // [diagonal]
+constexpr double speck_share = 0.01;  // of the largest body's volume
+constexpr double hole_share = 0.01;   // of the surface
+constexpr double min_volume = 1e-9;   // [diagonal^3]
 const std::string accepted = "; a rock is one closed surface, so every edge has two triangles";
 
 std::string percent(double share) {
@@ -73,7 +73,7 @@ void require_solid(const TriangleMesh& mesh, const std::string& path) {
     throw BadInput(path + ": the surface is open, with " + count_of(check.open, "open edge") + accepted);
   if (check.bodies != 1) throw BadInput(path + ": " + std::to_string(check.bodies) + " separate bodies" + accepted);
   const double diagonal = diagonal_of(mesh);
-  if (!(mass_properties(mesh).volume > least_volume * diagonal * diagonal * diagonal))
+  if (!(mass_properties(mesh).volume > min_volume * diagonal * diagonal * diagonal))
     throw BadInput(path + ": the surface encloses no volume" + accepted);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exec/lanes.hpp"
 #include "core/kernels/bond_forces.hpp"
+#include "core/kernels/bond_lane.hpp"
 #include "core/kernels/wall_forces.hpp"
 #include "core/laws/hertz_mindlin.hpp"
 #include "core/state/contacts.hpp"
@@ -19,8 +19,8 @@ struct ParticleSums {
   Vec3d momentum{0, 0, 0};
   LostWork lost;
   double overspeed = 0;  ///< largest v dt / R
-  double turn = 0;       ///< largest w dt
-  ParticleId fastest = 0, spinner = 0;
+  double rotation = 0;   ///< largest w dt
+  ParticleId fastest = 0, fastest_rotating = 0;
   std::int64_t not_finite = 0;
   ParticleId culprit = 0;  ///< lowest id that is not finite
 
@@ -33,8 +33,8 @@ struct ParticleSums {
               a.lost.contact_damping + b.lost.contact_damping, a.lost.contact_slip + b.lost.contact_slip};
     s.overspeed = larger(a.overspeed, b.overspeed);
     s.fastest = a.overspeed >= b.overspeed ? a.fastest : b.fastest;
-    s.turn = larger(a.turn, b.turn);
-    s.spinner = a.turn >= b.turn ? a.spinner : b.spinner;
+    s.rotation = larger(a.rotation, b.rotation);
+    s.fastest_rotating = a.rotation >= b.rotation ? a.fastest_rotating : b.fastest_rotating;
     s.not_finite = a.not_finite + b.not_finite;
     s.culprit = !b.not_finite || (a.not_finite && a.culprit < b.culprit) ? a.culprit : b.culprit;
     return s;
@@ -47,18 +47,18 @@ struct SumParticles {
   double dt;
 
   GYRO_HD ParticleSums operator()(Index n) const {
-    const Sphere place = p.place[n];
+    const Sphere sphere = p.position[n];
     const Motion motion = p.motion[n];
-    const Spin spin = p.spin[n];
+    const AngularMotion angular = p.angular_motion[n];
     ParticleSums s;
-    s.kinetic = 0.5 * (motion.mass * norm2(motion.v) + spin.inertia * norm2(spin.w));
-    s.potential = -motion.mass * dot(gravity, place.x);
+    s.kinetic = 0.5 * (motion.mass * norm2(motion.v) + angular.inertia * norm2(angular.w));
+    s.potential = -motion.mass * dot(gravity, sphere.x);
     s.momentum = motion.mass * motion.v;
     s.lost = p.losses[n];
-    s.overspeed = norm(motion.v) * dt / place.radius;
-    s.turn = norm(spin.w) * dt;
-    s.fastest = s.spinner = p.id[n];
-    const double all = norm2(place.x) + norm2(motion.v) + norm2(spin.w);
+    s.overspeed = norm(motion.v) * dt / sphere.radius;
+    s.rotation = norm(angular.w) * dt;
+    s.fastest = s.fastest_rotating = p.id[n];
+    const double all = norm2(sphere.x) + norm2(motion.v) + norm2(angular.w);
     if (!(all < 1e300)) {
       s.not_finite = 1;
       s.culprit = p.id[n];
@@ -91,36 +91,36 @@ struct SumContacts {
   const ContactLaw<Real>* wall_laws;
 
   GYRO_HD ContactSums operator()(Index n) const {
-    const Sphere place = p.place[n];
+    const Sphere sphere = p.position[n];
     ContactSums s;
     for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e)
       if (pairs.ends[e].side == 0 && pairs.touching[pairs.ends[e].pair]) s = s + of_pair(pairs.ends[e].pair);
     if (walls.poses == nullptr) return s;  // no window yet
     for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e)
-      if (walls.touching[e]) s = s + of_wall(e, place);
+      if (walls.touching[e]) s = s + of_wall(e, sphere);
     return s;
   }
 
  private:
   GYRO_HD ContactSums of_pair(Index n) const {
     const Pair pair = pairs.pairs[n];
-    const double a = p.place[pair.i].radius, b = p.place[pair.j].radius;
-    const ContactMemory<Real> m = pairs.memory[n];
+    const double a = p.position[pair.i].radius, b = p.position[pair.j].radius;
+    const ContactHistory<Real> m = pairs.history[n];
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
     return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.elastic)), ratio,
             p.id[pair.i], p.id[pair.j], none};
   }
-  GYRO_HD ContactSums of_wall(Index n, const Sphere& place) const {
+  GYRO_HD ContactSums of_wall(Index n, const Sphere& sphere) const {
     const WallEntry entry = walls.entries[n];
-    const Vec3d centre = to_body(walls.poses[entry.wall], place.x);
-    const WallTouches touches = touch_wall(walls.surfaces[entry.wall], entry.range, centre, place.radius);
+    const Vec3d centre = to_body(walls.poses[entry.wall], sphere.x);
+    const WallTouches touches = touch_wall(walls.surfaces[entry.wall], entry.range, centre, sphere.radius);
     ContactSums s;
-    for (int k = 0; k < walls.memory[n].count; ++k) {
-      const ContactMemory<Real> m = walls.memory[n].contact[k];
+    for (int k = 0; k < walls.history[n].count; ++k) {
+      const ContactHistory<Real> m = walls.history[n].contact[k];
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
       s = s + ContactSums{weight * static_cast<double>(contact_energy(
-                                       wall_laws[entry.wall], static_cast<Real>(place.radius), m.overlap, m.elastic)),
-                          static_cast<double>(m.overlap) / place.radius, p.id[entry.particle], 0, entry.wall};
+                                       wall_laws[entry.wall], static_cast<Real>(sphere.radius), m.overlap, m.elastic)),
+                          static_cast<double>(m.overlap) / sphere.radius, p.id[entry.particle], 0, entry.wall};
     }
     return s;
   }
@@ -130,11 +130,11 @@ struct SumContacts {
 struct BondSums {
   double elastic = 0;
   std::int64_t intact = 0;
-  double turn = 0;
+  double rotation = 0;
   ParticleId twisted = 0;
   GYRO_HD friend BondSums operator+(const BondSums& a, const BondSums& b) {
-    return {a.elastic + b.elastic, a.intact + b.intact, larger(a.turn, b.turn),
-            a.turn >= b.turn ? a.twisted : b.twisted};
+    return {a.elastic + b.elastic, a.intact + b.intact, larger(a.rotation, b.rotation),
+            a.rotation >= b.rotation ? a.twisted : b.twisted};
   }
 };
 
@@ -142,8 +142,8 @@ struct BondSums {
 template <class Real>
 GYRO_HD BondLoad<Real> bond_load_now(const BondView<Real>& b, const BondLaw<Real>& law,
                                      const BondLanes<Real, OneLane>& bond, Index n) {
-  return b.state[n] == bond_glued ? bond_load(law, bond.section, bond.strain_r, bond.rates)
-                                  : unglued_load(law, bond.section, bond.strain_r, bond.rates).load;
+  return b.state[n] == bond_intact ? bond_load(law, bond.section, bond.strain_r, bond.rates)
+                                   : pressed_load(law, bond.section, bond.strain_r, bond.rates).load;
 }
 
 template <class Real>
@@ -153,31 +153,31 @@ struct SumBonds {
   BondLaw<Real> law;
 
   GYRO_HD BondSums operator()(Index n) const {
-    if (b.state[n] == bond_gone) return {};
+    if (b.state[n] == bond_broken) return {};
     const BondLanes<Real, OneLane> bond(OneLane{n}, p, b, 0);
     const double elastic = static_cast<double>(bond_load_now(b, law, bond, n).elastic);
-    if (b.state[n] != bond_glued) return {elastic, 0, 0, 0};
+    if (b.state[n] != bond_intact) return {elastic, 0, 0, 0};
     return {elastic, 1, ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
   }
 };
 
 /// What a snapshot says of a glued bond.
-struct BondNow {
+struct BondReading {
   double normal_force;  ///< tension positive [N]
   double stress_ratio;  ///< larger of tension/strength and shear/strength [-]
 };
 
 template <class Real>
-struct NoteBonds {
+struct ReadBonds {
   ParticleView p;
   BondView<Real> b;
   BondLaw<Real> law;
-  BondNow* now;
+  BondReading* now;
 
   GYRO_HD void operator()(Index n) const {
-    if (b.state[n] != bond_glued) return;
+    if (b.state[n] != bond_intact) return;
     const BondLoad<Real> load = bond_load_now(b, law, BondLanes<Real, OneLane>(OneLane{n}, p, b, 0), n);
-    const Vec3d span = p.place[b.j[n]].x - p.place[b.i[n]].x;
+    const Vec3d span = p.position[b.j[n]].x - p.position[b.i[n]].x;
     now[n] = {-dot(cast<double>(load.force), span) / norm(span),
               static_cast<double>(larger(load.tension_ratio, load.shear_ratio))};
   }
@@ -196,7 +196,7 @@ GYRO_HD inline WallSum operator+(const WallSum& a, const WallSum& b) {
   WallSum s;
   for (int k = 0; k < 3; ++k) {
     s.force[k] = a.force[k] + b.force[k];
-    s.moment[k] = a.moment[k] + b.moment[k];
+    s.torque[k] = a.torque[k] + b.torque[k];
   }
   s.work = a.work + b.work;
   s.slip = a.slip + b.slip;

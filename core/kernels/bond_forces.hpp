@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/shared_counter.hpp"
-#include "core/exec/lanes.hpp"
+#include "core/kernels/bond_lane.hpp"
 #include "core/laws/bond.hpp"
 #include "core/state/bonds.hpp"
 #include "core/state/particles.hpp"
@@ -15,8 +15,8 @@ struct BreakLog {
   std::int32_t* count;
   std::int32_t* relist;  ///< set to 1 when the first bond of a block fails: its particles may now touch
   Block* blocks;
-  double turn_limit;     ///< of the ends of a glued bond against each other [rad]
-  std::int32_t* passed;  ///< set to 1 by any bond beyond it
+  double rotation_limit;         ///< of the ends of a glued bond against each other [rad]
+  std::int32_t* limit_exceeded;  ///< set to 1 by any bond beyond it
 };
 
 /// Strain, rates and section of the bonds of some lanes; the only place that knows how they lie in
@@ -39,14 +39,16 @@ struct BondLanes {
     const D length = lanes.load(b.length);
     shape = {lanes.template cast<double>(Vec3<R>{lanes.load(b.axis_x), lanes.load(b.axis_y), lanes.load(b.axis_z)}),
              length, lanes.template cast<double>(arm)};
-    ends = {lanes.vector(p.place, j) - lanes.vector(p.place, i), lanes.quaternion(p.turn, i),
-            lanes.quaternion(p.turn, j)};
-    const Vec3<D> spin_i = lanes.vector(p.spin, i), spin_j = lanes.vector(p.spin, j);
-    Vec3<D> axis = glued_axis(shape, ends);
+    ends = {lanes.vector(p.position, j) - lanes.vector(p.position, i), lanes.quaternion(p.orientation, i),
+            lanes.quaternion(p.orientation, j)};
+    const Vec3<D> angular_velocity_i = lanes.vector(p.angular_motion, i),
+                  angular_velocity_j = lanes.vector(p.angular_motion, j);
+    Vec3<D> axis = intact_axis(shape, ends);
     const auto state = lanes.load(b.state);
-    if (lanes.any_below_and_not(state, bond_gone, bond_glued)) {
-      const Vec3<D> carried = unglued_axis(shape.axis, shape.arm * spin_i + (D(1) - shape.arm) * spin_j, D(dt));
-      axis = select(lanes.template equal<double>(state, bond_glued), axis, carried);
+    if (lanes.any_below_and_not(state, bond_broken, bond_intact)) {
+      const Vec3<D> carried =
+          pressed_axis(shape.axis, shape.arm * angular_velocity_i + (D(1) - shape.arm) * angular_velocity_j, D(dt));
+      axis = select(lanes.template equal<double>(state, bond_intact), axis, carried);
     }
     strain = strain_about(axis, shape.length, ends);
     strain_r = {lanes.template cast<Real>(strain.normal),  lanes.template cast<Real>(strain.length),
@@ -54,7 +56,7 @@ struct BondLanes {
                 lanes.template cast<Real>(strain.shear),   lanes.template cast<Real>(strain.twist),
                 lanes.template cast<Real>(strain.bend)};
     rates = {lanes.template cast<Real>(lanes.vector(p.motion, j) - lanes.vector(p.motion, i)),
-             lanes.template cast<Real>(spin_i), lanes.template cast<Real>(spin_j)};
+             lanes.template cast<Real>(angular_velocity_i), lanes.template cast<Real>(angular_velocity_j)};
     section = {lanes.load(b.radius),
                lanes.load(b.strength),
                lanes.load(b.sqrt_mass),
@@ -81,33 +83,33 @@ struct BondForces {
   GYRO_HD void operator()(const Lanes& lanes, Index block) const {
     using R = typename Lanes::template Number<Real>;
     const auto state = lanes.load(b.state);
-    if (!lanes.any_below(state, bond_gone)) return;
+    if (!lanes.any_below(state, bond_broken)) return;
     const BondLanes<Real, Lanes> bond(lanes, p, b, static_cast<double>(law.dt));
     const BondLaw<R> constants = lanes.spread(law);
 
     BondLoad<R> load = bond_load(constants, bond.section, bond.strain_r, bond.rates);
     R slip_work(0);
-    const auto glued = lanes.template equal<Real>(state, bond_glued);
-    const auto broken = glued & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
+    const auto intact = lanes.template equal<Real>(state, bond_intact);
+    const auto broken = intact & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
     if (lanes.any(broken)) note_failures(lanes, block, bond, load, broken, constants);
     const R turn2 = bond.strain_r.twist * bond.strain_r.twist + norm2(bond.strain_r.bend);
-    if (lanes.any(glued & (turn2 > R(log.turn_limit * log.turn_limit)))) raise_flag(log.passed);
-    if (lanes.any_below_and_not(state, bond_gone, bond_glued)) {
-      const auto unglued = unglued_load(constants, bond.section, bond.strain_r, bond.rates);
-      take(load, glued, unglued.load);
-      slip_work = select(glued, R(0), unglued.slip_work);
-      slip_and_part(lanes, bond, unglued.keep, state);
+    if (lanes.any(intact & (turn2 > R(log.rotation_limit * log.rotation_limit)))) raise_flag(log.limit_exceeded);
+    if (lanes.any_below_and_not(state, bond_broken, bond_intact)) {
+      const auto pressed = pressed_load(constants, bond.section, bond.strain_r, bond.rates);
+      take(load, intact, pressed.load);
+      slip_work = select(intact, R(0), pressed.slip_work);
+      slip_and_part(lanes, bond, pressed.keep, state);
     }
     lanes.add(p.bond_load, lanes.load(b.i), lanes.load(b.j), state, load, slip_work);
   }
 
  private:
   template <class R, class Mask>
-  GYRO_HD static void take(BondLoad<R>& load, const Mask& glued, const BondLoad<R>& other) {
-    load.force = select(glued, load.force, other.force);
-    load.moment_i = select(glued, load.moment_i, other.moment_i);
-    load.moment_j = select(glued, load.moment_j, other.moment_j);
-    load.damped = select(glued, load.damped, other.damped);
+  GYRO_HD static void take(BondLoad<R>& load, const Mask& intact, const BondLoad<R>& other) {
+    load.force = select(intact, load.force, other.force);
+    load.torque_i = select(intact, load.torque_i, other.torque_i);
+    load.torque_j = select(intact, load.torque_j, other.torque_j);
+    load.damped = select(intact, load.damped, other.damped);
   }
 
   /// A failing bond keeps its normal spring while its ends are pressed together; what else it stored
@@ -116,7 +118,7 @@ struct BondForces {
   template <class Lanes, class R, class Mask>
   GYRO_HD void note_failures(const Lanes& lanes, Index block, const BondLanes<Real, Lanes>& bond,
                              const BondLoad<R>& load, const Mask& broken, const BondLaw<R>& constants) const {
-    const auto after = unglued_load(constants, bond.section, bond.strain_r, bond.rates);
+    const auto after = pressed_load(constants, bond.section, bond.strain_r, bond.rates);
     const R power = bond_power(load, bond.rates), power_after = bond_power(after.load, bond.rates);
     for (int lane = 0; lane < Lanes::count; ++lane) {
       if (!lanes.test(broken, lane)) continue;
@@ -128,7 +130,7 @@ struct BondForces {
       const double lost_power = static_cast<double>(lanes.value(power, lane)) -
                                 (apart ? 0 : static_cast<double>(lanes.value(power_after, lane)));
       const double released = stored - kept - 0.5 * static_cast<double>(law.dt) * lost_power;
-      b.state[n] = apart ? bond_gone : bond_unglued;
+      b.state[n] = apart ? bond_broken : bond_pressed;
       log.events[take_number(log.count)] = {step, n, tension >= shear ? 1 : 2, released};
       if (log.blocks[block].state == block_intact) {
         log.blocks[block].state = block_broken;
@@ -142,16 +144,16 @@ struct BondForces {
   GYRO_HD void slip_and_part(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, const R& keep,
                              const State& state) const {
     for (int lane = 0; lane < Lanes::count; ++lane) {
-      if (lanes.value(state, lane) != bond_unglued) continue;
+      if (lanes.value(state, lane) != bond_pressed) continue;
       if (separated(lanes.index(lane), lanes.value(bond.strain.length, lane)))
-        b.state[lanes.index(lane)] = bond_gone;
+        b.state[lanes.index(lane)] = bond_broken;
       else
         slip(lanes, bond, keep, lane);
     }
   }
 
   GYRO_HD bool separated(Index n, double distance) const {
-    const double touch = p.place[b.i[n]].radius + p.place[b.j[n]].radius;
+    const double touch = p.position[b.i[n]].radius + p.position[b.j[n]].radius;
     return distance > b.length[n] && distance > touch;
   }
 

@@ -18,74 +18,74 @@ struct Gather {
   Vec3d gravity;
   double dt;
   bool with_bonds;
-  Load* held;  ///< contacts and walls of each particle; null: evaluated anew in each step
-  bool fresh;  ///< contacts and walls have just been evaluated
-  bool kick;   ///< false: only the loads, for a scene that has just been put together
+  Load* held;          ///< contacts and walls of each particle; null: evaluated anew in each step
+  bool first_of_hold;  ///< contacts and walls have just been evaluated
+  bool kick;           ///< false: only the loads, for a scene that has just been put together
 
   GYRO_HD void operator()(Index n) const {
     const Motion motion = p.motion[n];
     LostWork lost = p.losses[n];
     Vec3d force = motion.mass * gravity;
-    Vec3d moment{0, 0, 0};
+    Vec3d torque{0, 0, 0};
     if (with_bonds) {
       const Load bonds = p.bond_load[n];
       force += bonds.force;
-      moment += bonds.moment;
+      torque += bonds.torque;
       lost.bond_damping += bonds.damped;
       lost.bond_slip += bonds.slipped;
     }
     if (held == nullptr) {
-      add_contacts(n, force, moment, lost);
+      add_contacts(n, force, torque, lost);
     } else {
-      if (fresh) {
+      if (first_of_hold) {
         Load sum;
-        add_contacts(n, sum.force, sum.moment, lost);
+        add_contacts(n, sum.force, sum.torque, lost);
         held[n] = sum;
       }
       force += held[n].force;
-      moment += held[n].moment;
+      torque += held[n].torque;
     }
-    store(n, force, moment, lost);
+    store(n, force, torque, lost);
   }
 
  private:
-  GYRO_HD void add_contacts(Index n, Vec3d& force, Vec3d& moment, LostWork& lost) const {
+  GYRO_HD void add_contacts(Index n, Vec3d& force, Vec3d& torque, LostWork& lost) const {
     for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e) {
       const PairEnd end = pairs.ends[e];
       if (!pairs.touching[end.pair]) continue;
       const PairResult<Real> r = pairs.result[end.pair];
       if (end.side == 0) {
         force += cast<double>(r.force);
-        moment += cast<double>(r.moment_i);
+        torque += cast<double>(r.torque_i);
         lost.contact_damping += static_cast<double>(r.damped);
         lost.contact_slip += static_cast<double>(r.slipped);
       } else {
         force -= cast<double>(r.force);
-        moment += cast<double>(r.moment_j);
+        torque += cast<double>(r.torque_j);
       }
     }
     for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e) {
       if (!walls.touching[e]) continue;
       const WallResult<Real> r = walls.result[e];
       force += cast<double>(r.force);
-      moment += cast<double>(r.moment);
+      torque += cast<double>(r.torque);
       lost.contact_damping += static_cast<double>(r.damped);
       lost.contact_slip += static_cast<double>(r.slipped);
     }
   }
 
-  GYRO_HD void store(Index n, const Vec3d& force, const Vec3d& moment, const LostWork& lost) const {
+  GYRO_HD void store(Index n, const Vec3d& force, const Vec3d& torque, const LostWork& lost) const {
     Load load;
     load.force = force;
-    load.moment = moment;
+    load.torque = torque;
     p.load[n] = load;
     if (!kick) return;
     Motion motion = p.motion[n];
-    Spin spin = p.spin[n];
+    AngularMotion angular = p.angular_motion[n];
     motion.v += (0.5 * dt / motion.mass) * force;
-    spin.w += (0.5 * dt / spin.inertia) * moment;
+    angular.w += (0.5 * dt / angular.inertia) * torque;
     p.motion[n] = motion;
-    p.spin[n] = spin;
+    p.angular_motion[n] = angular;
     p.losses[n] = lost;
   }
 };

@@ -23,8 +23,8 @@ struct CellCoordinate {
 
 /// All levels, coarse to fine; level l holds the radii (largest 2^-(l+1), largest 2^-l].
 struct Grid {
-  static constexpr int most_levels = 12;
-  GridLevel level[most_levels];
+  static constexpr int max_levels = 12;
+  GridLevel level[max_levels];
   int levels;
   Index cells;        ///< of all levels
   Index* cell_begin;  ///< into `sorted`, cells + 1 numbers
@@ -54,9 +54,9 @@ struct CellKeys {
   Index* values;
 
   GYRO_HD void operator()(Index n) const {
-    const Sphere place = p.place[n];
-    const GridLevel& g = grid.level[grid.level_of(place.radius)];
-    const CellCoordinate c = Grid::coordinate(g, place.x);
+    const Sphere sphere = p.position[n];
+    const GridLevel& g = grid.level[grid.level_of(sphere.radius)];
+    const CellCoordinate c = Grid::coordinate(g, sphere.x);
     keys[n] = static_cast<std::uint64_t>(Grid::place(g, c.x, c.y, c.z));
     values[n] = n;
   }
@@ -64,11 +64,10 @@ struct CellKeys {
 
 /// Largest radius in each level.
 struct LevelRadii {
-  double largest[Grid::most_levels] = {};
+  double largest[Grid::max_levels] = {};
   GYRO_HD friend LevelRadii operator+(const LevelRadii& a, const LevelRadii& b) {
     LevelRadii r;
-    for (int l = 0; l < Grid::most_levels; ++l)
-      r.largest[l] = a.largest[l] > b.largest[l] ? a.largest[l] : b.largest[l];
+    for (int l = 0; l < Grid::max_levels; ++l) r.largest[l] = a.largest[l] > b.largest[l] ? a.largest[l] : b.largest[l];
     return r;
   }
 };
@@ -76,7 +75,7 @@ struct LevelRadiiOf {
   ParticleView p;
   Grid grid;
   GYRO_HD LevelRadii operator()(Index n) const {
-    const double radius = p.place[n].radius;
+    const double radius = p.position[n].radius;
     LevelRadii r;
     r.largest[grid.level_of(radius)] = radius;
     return r;
@@ -86,10 +85,11 @@ struct LevelRadiiOf {
 /// How particles crowd in cells: what a search would cost.
 struct Crowd {
   double squares = 0;  ///< sum over cells of the square of their particles
-  Index most = 0;      ///< particles in the fullest cell
+  Index maximum = 0;   ///< particles in the fullest cell
   Index cell = 0;      ///< the fullest cell
   GYRO_HD friend Crowd operator+(const Crowd& a, const Crowd& b) {
-    return {a.squares + b.squares, a.most >= b.most ? a.most : b.most, a.most >= b.most ? a.cell : b.cell};
+    return {a.squares + b.squares, a.maximum >= b.maximum ? a.maximum : b.maximum,
+            a.maximum >= b.maximum ? a.cell : b.cell};
   }
 };
 struct CrowdOf {

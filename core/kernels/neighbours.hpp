@@ -23,28 +23,28 @@ struct FindPairs {
   const std::int32_t* bond_state;
   const Index *bond_i, *bond_j;
   BondRows bond_rows;
-  double margin;
+  double skin;
   Index* counts;  ///< counting run: pairs of each particle; filling run: first pair of each
   Pair* pairs;    ///< null in the counting run
 
   GYRO_HD void operator()(Index n) const {
-    const Sphere place = p.place[n];
-    const int own = grid.level_of(place.radius);
+    const Sphere sphere = p.position[n];
+    const int own = grid.level_of(sphere.radius);
     Index found = 0;
     for (int l = 0; l <= own; ++l) {
       const GridLevel& g = grid.level[l];
       if (g.radius == 0) continue;
       // At most three cells in each direction: the reach is no larger than a cell.
-      const double reach = place.radius + g.radius + margin;
+      const double reach = sphere.radius + g.radius + skin;
       const Vec3d corner{reach, reach, reach};
-      const CellCoordinate low = Grid::coordinate(g, place.x - corner), high = Grid::coordinate(g, place.x + corner);
+      const CellCoordinate low = Grid::coordinate(g, sphere.x - corner), high = Grid::coordinate(g, sphere.x + corner);
       const int nx = span(low.x, high.x), ny = span(low.y, high.y), nz = span(low.z, high.z);
       for (int z = 0; z <= nz; ++z)
         for (int y = 0; y <= ny; ++y)
           for (int x = 0; x <= nx; ++x) {
             const Index cell = Grid::place(g, low.x + x, low.y + y, low.z + z);
             for (Index s = grid.cell_begin[cell]; s < grid.cell_begin[cell + 1]; ++s)
-              look_at(n, place, grid.sorted[s], l == own, found);
+              consider(n, sphere, grid.sorted[s], l == own, found);
           }
     }
     if (pairs == nullptr) counts[n] = found;
@@ -56,11 +56,11 @@ struct FindPairs {
     const std::int64_t more = high - low;
     return more > 2 ? 2 : more < 0 ? 0 : static_cast<int>(more);
   }
-  GYRO_HD void look_at(Index n, const Sphere& place, Index other, bool same_level, Index& found) const {
+  GYRO_HD void consider(Index n, const Sphere& sphere, Index other, bool same_level, Index& found) const {
     if (other == n || (same_level && p.id[other] < p.id[n])) return;
-    const Sphere partner = p.place[other];
-    const double reach = place.radius + partner.radius + margin;
-    if (!(norm2(partner.x - place.x) < reach * reach)) return;  // nor a partner that is not finite
+    const Sphere partner = p.position[other];
+    const double reach = sphere.radius + partner.radius + skin;
+    if (!(norm2(partner.x - sphere.x) < reach * reach)) return;  // nor a partner that is not finite
     Index bond = none;
     if (blocks != nullptr && p.block[n] == p.block[other] && p.block[n] != none) {
       bond = bond_between(n, other);
@@ -78,7 +78,7 @@ struct FindPairs {
     for (Index k = bond_rows.begin[n]; k < bond_rows.begin[n + 1]; ++k) {
       const Index b = bond_rows.bond[k];
       const Index partner = bond_i[b] == n ? bond_j[b] : bond_i[b];
-      if (partner == other) return bond_state[b] == bond_gone ? none : b;
+      if (partner == other) return bond_state[b] == bond_broken ? none : b;
     }
     return none;
   }
@@ -104,8 +104,8 @@ struct EnterEnds {
 
  private:
   GYRO_HD void enter(Index particle, Index pair, std::int32_t side) const {
-    const std::int32_t place = take_number(&counts[particle]);
-    if (row_begin != nullptr) ends[row_begin[particle] + place] = {pair, side};
+    const std::int32_t sphere = take_number(&counts[particle]);
+    if (row_begin != nullptr) ends[row_begin[particle] + sphere] = {pair, side};
   }
 };
 
@@ -132,17 +132,17 @@ struct SortRow {
 
 /// Brings the memory of touching contacts over from the old lists.
 template <class Real>
-struct CarryMemory {
+struct CarryHistory {
   PairView<Real> now, old;
 
   GYRO_HD void operator()(Index n) const {
-    now.memory[n] = {};
+    now.history[n] = {};
     now.touching[n] = 0;
     const Pair pair = now.pairs[n];
     for (Index e = old.row_begin[pair.i]; e < old.row_begin[pair.i + 1]; ++e) {
       const Index m = old.ends[e].pair;
       if (old.pairs[m].i != pair.i || old.pairs[m].j != pair.j) continue;
-      now.memory[n] = old.memory[m];
+      now.history[n] = old.history[m];
       now.touching[n] = old.touching[m];
       return;
     }
@@ -150,9 +150,9 @@ struct CarryMemory {
 };
 
 /// Notes where the particles are, to know when the lists are stale.
-struct NotePlaces {
+struct StorePositions {
   ParticleView p;
-  GYRO_HD void operator()(Index n) const { p.listed_at[n] = p.place[n].x; }
+  GYRO_HD void operator()(Index n) const { p.listed_position[n] = p.position[n].x; }
 };
 
 }  // namespace gyro

@@ -15,20 +15,21 @@ struct PairForces {
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
   ContactLaw<Real> law;
-  double ahead;  ///< as in seen() [s]
-  DeepContacts deep;
+  double half_hold_offset;  ///< as in seen() [s]
+  OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
     const Pair pair = pairs.pairs[n];
-    const Sphere a = seen<held>(p, pair.i, ahead), b = seen<held>(p, pair.j, ahead);
+    const Sphere a = contact_position<held>(p, pair.i, half_hold_offset),
+                 b = contact_position<held>(p, pair.j, half_hold_offset);
     const Vec3d span = b.x - a.x;
     const double sum = a.radius + b.radius, distance2 = norm2(span);
-    const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_gone;
+    const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_broken;
     const double distance = distance2 < sum * sum ? ::sqrt(distance2) : sum;
     if (!(distance < sum) || bonded) {  // what is not finite stays alone: the guard names it
       if (pairs.touching[n]) {
         pairs.touching[n] = 0;
-        pairs.memory[n] = {};
+        pairs.history[n] = {};
       }
       return;
     }
@@ -40,9 +41,9 @@ struct PairForces {
   GYRO_HD void evaluate(Index n, const Pair& pair, const Sphere& a, const Sphere& b, const Vec3d& span,
                         double distance) const {
     const Motion va = p.motion[pair.i], vb = p.motion[pair.j];
-    const Spin wa = p.spin[pair.i], wb = p.spin[pair.j];
+    const AngularMotion wa = p.angular_motion[pair.i], wb = p.angular_motion[pair.j];
     const double overlap = a.radius + b.radius - distance;
-    deep.look_at(overlap, smaller(a.radius, b.radius));
+    deep.check_overlap(overlap, smaller(a.radius, b.radius));
     const double arm_a = a.radius - 0.5 * overlap, arm_b = b.radius - 0.5 * overlap;
     const Vec3d normal = (1 / distance) * span;
 
@@ -50,17 +51,17 @@ struct PairForces {
     c.normal = cast<Real>(normal);
     c.overlap = static_cast<Real>(overlap);
     c.velocity = cast<Real>(va.v - vb.v + cross(arm_a * wa.w + arm_b * wb.w, normal));
-    c.spin = cast<Real>(wa.w - wb.w);
+    c.angular_velocity = cast<Real>(wa.w - wb.w);
     c.radius = static_cast<Real>(a.radius * b.radius / (a.radius + b.radius));
     c.mass = static_cast<Real>(va.mass * vb.mass / (va.mass + vb.mass));
     const double inertias = wa.inertia + wb.inertia;
     c.inertia = static_cast<Real>(wa.inertia * wb.inertia / inertias);
     c.lever = static_cast<Real>((arm_a * wb.inertia - arm_b * wa.inertia) / inertias);
 
-    const ContactLoad<Real> load = hertz_mindlin(law, c, pairs.memory[n]);
+    const ContactLoad<Real> load = hertz_mindlin(law, c, pairs.history[n]);
 
     const Vec3<Real> lever = cross(c.normal, load.force);
-    pairs.memory[n] = load.past;
+    pairs.history[n] = load.history;
     pairs.result[n] = {load.force, static_cast<Real>(arm_a) * lever + load.couple,
                        static_cast<Real>(arm_b) * lever - load.couple, load.damped, load.slipped};
   }

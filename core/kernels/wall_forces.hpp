@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/laws/hertz_mindlin.hpp"
+#include "core/scene/wall_motion.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
-#include "core/walls/motion.hpp"
 
 namespace gyro {
 
@@ -18,17 +18,17 @@ GYRO_HD inline WallTouches touch_wall(const WallSurface& surface, const SegmentR
 
 /// What the contacts of one entry do to the wall.
 struct WallTotal {
-  Vec3d force{0, 0, 0}, moment{0, 0, 0};  ///< on the particle, moment about the world's origin
+  Vec3d force{0, 0, 0}, torque{0, 0, 0};  ///< on the particle, moment about the world's origin
   double power = 0;                       ///< of the wall on the particle [W]
   double slip_power = 0;                  ///< lost in sliding friction [W]
 
   GYRO_HD void add(const Vec3d& on_particle, const Vec3d& point, const Vec3d& wall_velocity) {
     force += on_particle;
-    moment += cross(point, on_particle);
+    torque += cross(point, on_particle);
     power += dot(on_particle, wall_velocity);
   }
   GYRO_HD void add_couple(const Vec3d& on_particle, const Vec3d& wall_spin) {
-    moment += on_particle;
+    torque += on_particle;
     power += dot(on_particle, wall_spin);
   }
   /// Adds what acts over a time to an exact sum.
@@ -37,9 +37,9 @@ struct WallTotal {
     sum.force[0] -= quanta(scale * force.x);
     sum.force[1] -= quanta(scale * force.y);
     sum.force[2] -= quanta(scale * force.z);
-    sum.moment[0] -= quanta(scale * moment.x);
-    sum.moment[1] -= quanta(scale * moment.y);
-    sum.moment[2] -= quanta(scale * moment.z);
+    sum.torque[0] -= quanta(scale * torque.x);
+    sum.torque[1] -= quanta(scale * torque.y);
+    sum.torque[2] -= quanta(scale * torque.z);
     sum.work += quanta(scale * power);
     sum.slip += quanta(scale * slip_power);
   }
@@ -47,8 +47,8 @@ struct WallTotal {
  private:
   /// What is not finite counts as nothing here: the guard finds the particle itself.
   GYRO_HD static std::int64_t quanta(double x) {
-    constexpr double most = 9e18;
-    return x > -most && x < most ? static_cast<std::int64_t>(::floor(x + 0.5)) : 0;
+    constexpr double maximum = 9e18;
+    return x > -maximum && x < maximum ? static_cast<std::int64_t>(::floor(x + 0.5)) : 0;
   }
 };
 
@@ -61,81 +61,83 @@ struct WallForces {
   WallView<Real> walls;
   const ContactLaw<Real>* laws;  ///< of rock against each wall
   double dt;                     ///< time for which the forces act [s]
-  double ahead;                  ///< as in seen() [s]
-  double later;                  ///< share of that time beyond the window's end; 0 but for its last hold
-  DeepContacts deep;
+  double half_hold_offset;       ///< as in seen() [s]
+  double carry_over;             ///< share of that time beyond the window's end; 0 but for its last hold
+  OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = walls.entries[n];
-    const Sphere place = seen<held>(p, entry.particle, ahead);
+    const Sphere sphere = contact_position<held>(p, entry.particle, half_hold_offset);
     const WallPose pose = walls.poses[entry.wall];
     const WallTouches touches =
-        touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, place.x), place.radius);
-    if (later > 0) walls.later[n] = WallSum{};
+        touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, sphere.x), sphere.radius);
+    if (carry_over > 0) walls.carried_over[n] = WallSum{};
     if (touches.count == 0) {
       if (walls.touching[n]) {
         walls.touching[n] = 0;
-        walls.memory[n].count = 0;
+        walls.history[n].count = 0;
       }
       return;
     }
     walls.touching[n] = 1;
-    evaluate(n, entry, place, pose, touches);
+    evaluate(n, entry, sphere, pose, touches);
   }
 
  private:
-  GYRO_HD void evaluate(Index n, const WallEntry& entry, const Sphere& place, const WallPose& pose,
+  GYRO_HD void evaluate(Index n, const WallEntry& entry, const Sphere& sphere, const WallPose& pose,
                         const WallTouches& touches) const {
     const Motion motion = p.motion[entry.particle];
-    const Spin spin = p.spin[entry.particle];
-    const WallMemory<Real> old = walls.memory[n];
-    WallMemory<Real> now;
+    const AngularMotion angular = p.angular_motion[entry.particle];
+    const WallHistory<Real> old = walls.history[n];
+    WallHistory<Real> now;
     WallResult<Real> result{};
     WallTotal total;
     bool taken[WallTouches::capacity] = {};
     for (int k = 0; k < touches.count; ++k) {
       const WallTouch& touch = touches.touch[k];
-      const Vec3d outward = rotate(pose.turn, touch.normal);
-      const double overlap = -touch.gap, arm = place.radius - overlap;
-      deep.look_at(overlap, place.radius);
-      const Vec3d point = place.x - arm * outward;
+      const Vec3d outward = rotate(pose.orientation, touch.normal);
+      const double overlap = -touch.gap, arm = sphere.radius - overlap;
+      deep.check_overlap(overlap, sphere.radius);
+      const Vec3d point = sphere.x - arm * outward;
       const Vec3d wall_velocity = velocity_at(pose, point);
 
       ContactMotion<Real> c;
       c.normal = cast<Real>(-outward);
       c.overlap = static_cast<Real>(overlap);
-      c.velocity = cast<Real>(motion.v - wall_velocity - arm * cross(spin.w, outward));
-      c.spin = cast<Real>(spin.w - pose.spin);
-      c.radius = static_cast<Real>(place.radius);
+      c.velocity = cast<Real>(motion.v - wall_velocity - arm * cross(angular.w, outward));
+      c.angular_velocity = cast<Real>(angular.w - pose.angular_velocity);
+      c.radius = static_cast<Real>(sphere.radius);
       c.mass = static_cast<Real>(motion.mass);
-      c.inertia = static_cast<Real>(spin.inertia);
+      c.inertia = static_cast<Real>(angular.inertia);
       c.lever = static_cast<Real>(arm);
 
-      const ContactLoad<Real> load = hertz_mindlin(laws[entry.wall], c, remembered(old, cast<Real>(outward), taken));
+      const ContactLoad<Real> load =
+          hertz_mindlin(laws[entry.wall], c, matching_history(old, cast<Real>(outward), taken));
       const Real weight = static_cast<Real>(touch.weight);
       const Vec3<Real> force = weight * load.force;
       const Vec3<Real> couple = weight * load.couple;
       result.force += force;
-      result.moment += static_cast<Real>(arm) * cross(c.normal, force) + couple;
+      result.torque += static_cast<Real>(arm) * cross(c.normal, force) + couple;
       result.damped += weight * load.damped;
       result.slipped += weight * load.slipped;
-      now.contact[k] = load.past;
+      now.contact[k] = load.history;
       now.normal[k] = cast<Real>(outward);
       total.add(cast<double>(force), point, wall_velocity);
-      total.add_couple(cast<double>(couple), pose.spin);
+      total.add_couple(cast<double>(couple), pose.angular_velocity);
     }
     total.slip_power = static_cast<double>(result.slipped) / dt;
     now.count = touches.count;
-    walls.memory[n] = now;
+    walls.history[n] = now;
     walls.result[n] = result;
-    total.book((1 - later) * dt, walls.sums[n]);
-    if (later > 0) total.book(later * dt, walls.later[n]);
+    total.book((1 - carry_over) * dt, walls.sums[n]);
+    if (carry_over > 0) total.book(carry_over * dt, walls.carried_over[n]);
   }
 
   /// The contact of the last step with the nearest normal (within 45 degrees), each used once if there are enough. A
   /// touch that appears beside another has what that one remembers: when the sphere goes on to the next facet of a
   /// concave wall, both share the load, and friction must not begin anew.
-  GYRO_HD static ContactMemory<Real> remembered(const WallMemory<Real>& old, const Vec3<Real>& normal, bool* taken) {
+  GYRO_HD static ContactHistory<Real> matching_history(const WallHistory<Real>& old, const Vec3<Real>& normal,
+                                                       bool* taken) {
     int own = -1, beside = -1;
     Real nearest = Real(0.70710678), nearest_of_all = nearest;
     for (int k = 0; k < old.count; ++k) {
@@ -151,7 +153,7 @@ struct WallForces {
     }
     if (own >= 0) taken[own] = true;
     const int found = own >= 0 ? own : beside;
-    return found >= 0 ? old.contact[found] : ContactMemory<Real>{};
+    return found >= 0 ? old.contact[found] : ContactHistory<Real>{};
   }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/wall_motion.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
-#include "core/walls/motion.hpp"
 
 namespace gyro {
 
@@ -14,17 +14,17 @@ struct FindWalls {
   const WallSurface* surfaces;
   const WallPose* poses;
   Index wall_count;
-  double margin;
+  double skin;
   Index* counts;       ///< counting run: walls of each particle; filling run: first entry of each
   WallEntry* entries;  ///< null in the counting run
 
   GYRO_HD void operator()(Index n) const {
-    const Sphere place = p.place[n];
+    const Sphere sphere = p.position[n];
     Index found = 0;
     for (Index w = 0; w < wall_count; ++w) {
-      const Vec3d centre = to_body(poses[w], place.x);
+      const Vec3d centre = to_body(poses[w], sphere.x);
       SegmentRange range{0, 0};
-      if (!near(surfaces[w], centre, place.radius + margin, range)) continue;
+      if (!near(surfaces[w], centre, sphere.radius + skin, range)) continue;
       if (entries != nullptr) entries[counts[n] + found] = {n, w, range};
       ++found;
     }
@@ -45,17 +45,17 @@ struct FindWalls {
 
 /// Brings the memory of touching wall contacts over from the old lists.
 template <class Real>
-struct CarryWallMemory {
+struct CarryWallHistory {
   WallView<Real> now, old;
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = now.entries[n];
-    now.memory[n].count = 0;
+    now.history[n].count = 0;
     now.touching[n] = 0;
     now.sums[n] = WallSum{};
     for (Index e = old.row_begin[entry.particle]; e < old.row_begin[entry.particle + 1]; ++e) {
       if (old.entries[e].wall != entry.wall) continue;
-      now.memory[n] = old.memory[e];
+      now.history[n] = old.history[e];
       now.touching[n] = old.touching[e];
       return;
     }

@@ -36,15 +36,15 @@ struct BondSection {
 template <class T>
 struct BondRates {
   Vec3<T> velocity;  ///< v_j - v_i [m/s]
-  Vec3<T> spin_i, spin_j;
+  Vec3<T> angular_velocity_i, angular_velocity_j;
 };
 
 /// Loads of a bond and what the ledger needs.
 template <class T>
 struct BondLoad {
   Vec3<T> force;     ///< on j; i receives the opposite [N]
-  Vec3<T> moment_i;  ///< on i [N m]
-  Vec3<T> moment_j;  ///< on j [N m]
+  Vec3<T> torque_i;  ///< on i [N m]
+  Vec3<T> torque_j;  ///< on j [N m]
   T tension_ratio;   ///< tensile stress / strength [-]
   T shear_ratio;     ///< shear stress / strength [-]
   T elastic;         ///< stored energy [J]
@@ -56,10 +56,10 @@ namespace bond_detail {
 /// Moments of a force F on j (and -F on i) that acts at the section x_i + a_i d, plus a couple on j
 /// (and its opposite on i): angular momentum is kept exactly.
 template <class T>
-GYRO_HD void set_moments(BondLoad<T>& out, T arm, const Vec3<T>& span, const Vec3<T>& couple) {
+GYRO_HD void set_torques(BondLoad<T>& out, T arm, const Vec3<T>& span, const Vec3<T>& couple) {
   const Vec3<T> lever = cross(span, out.force);
-  out.moment_i = -(arm * lever) - couple;
-  out.moment_j = couple - (T(1) - arm) * lever;
+  out.torque_i = -(arm * lever) - couple;
+  out.torque_j = couple - (T(1) - arm) * lever;
 }
 
 template <class T>
@@ -74,7 +74,7 @@ GYRO_HD T shear_stiffness(const BondLaw<T>& law, const BondSection<T>& b) {
 /// Velocity of j's side of the section relative to i's side [m/s], for a span that the two ends carry.
 template <class T>
 GYRO_HD Vec3<T> slide_velocity(const BondRates<T>& r, T arm, const Vec3<T>& span) {
-  return r.velocity - cross(arm * r.spin_i + (T(1) - arm) * r.spin_j, span);
+  return r.velocity - cross(arm * r.angular_velocity_i + (T(1) - arm) * r.angular_velocity_j, span);
 }
 
 /// The span half a step ago, when velocities were what they are: with the present one a bond that turns as a rigid body
@@ -142,7 +142,7 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
   const Vec3<T> slide = bond_detail::slide_velocity(rates, b.arm, bond_detail::span_of_rates(law, rates, span));
   const T slide_n = dot(slide, s.normal);
   const Vec3<T> slide_s = slide - slide_n * s.normal;
-  const Vec3<T> roll = rates.spin_j - rates.spin_i;
+  const Vec3<T> roll = rates.angular_velocity_j - rates.angular_velocity_i;
   const T roll_n = dot(roll, s.normal);
   const Vec3<T> roll_s = roll - roll_n * s.normal;
 
@@ -156,7 +156,7 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
   BondLoad<T> out;
   const Vec3<T> drag = (c_n * slide_n) * s.normal + c_s * slide_s;
   out.force = elastic.force - drag;
-  bond_detail::set_moments(out, b.arm, span, elastic.couple - (c_t * roll_n) * s.normal - c_b * roll_s);
+  bond_detail::set_torques(out, b.arm, span, elastic.couple - (c_t * roll_n) * s.normal - c_b * roll_s);
   out.damped = law.dt * (dot(drag, bond_detail::slide_velocity(rates, b.arm, span)) + c_t * roll_n * roll_n +
                          c_b * norm2(roll_s));
 
@@ -173,12 +173,13 @@ GYRO_HD BondLoad<T> bond_load(const BondLaw<T>& law, const BondSection<T>& b, co
 /// Power of a bond's loads on its two ends [W].
 template <class T>
 GYRO_HD T bond_power(const BondLoad<T>& load, const BondRates<T>& rates) {
-  return dot(load.force, rates.velocity) + dot(load.moment_i, rates.spin_i) + dot(load.moment_j, rates.spin_j);
+  return dot(load.force, rates.velocity) + dot(load.torque_i, rates.angular_velocity_i) +
+         dot(load.torque_j, rates.angular_velocity_j);
 }
 
 /// Loads of an unglued bond, and how much of its shear survived the friction limit.
 template <class T>
-struct UngluedLoad {
+struct PressedLoad {
   BondLoad<T> load;
   T keep;       ///< share of the shear strain that is left after slip; 1: no slip [-]
   T slip_work;  ///< lost to friction in this step [J]
@@ -190,7 +191,7 @@ struct UngluedLoad {
 ///   F_n = max(0, -kn A (L - L0) - c_n v_n) while L < L0
 ///   F_s = ks A L0^2 (c/L) gamma, cut to mu F_n; the cut share of gamma is slip (slipped_axis)
 template <class T>
-GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>& b, const BondStrain<T>& s,
+GYRO_HD PressedLoad<T> pressed_load(const BondLaw<T>& law, const BondSection<T>& b, const BondStrain<T>& s,
                                     const BondRates<T>& rates) {
   using std::sqrt;
   const T kn = bond_detail::normal_stiffness(law, b), ks = bond_detail::shear_stiffness(law, b);
@@ -210,10 +211,10 @@ GYRO_HD UngluedLoad<T> unglued_load(const BondLaw<T>& law, const BondSection<T>&
   const T trial = magnitude(stiff) * sqrt(gamma2), limit = law.friction * push;
   const T spring_s = larger(magnitude(stiff) / s.length, T(1e-30));  // shear force over slide, now [N/m]
 
-  UngluedLoad<T> out;
+  PressedLoad<T> out;
   out.keep = select(trial > limit, limit / larger(trial, T(1e-30)), T(1));
   out.load.force = push * s.normal + (out.keep * stiff) * s.shear;
-  bond_detail::set_moments(out.load, b.arm, span, T(0) * s.normal);
+  bond_detail::set_torques(out.load, b.arm, span, T(0) * s.normal);
   out.load.tension_ratio = out.load.shear_ratio = T(0);
 
   const T kept = out.keep * stiff;

@@ -19,7 +19,7 @@ struct BondShape {
 template <class T>
 struct BondEnds {
   Vec3<T> span;  ///< d = x_j - x_i [m]
-  Quat<T> turn_i, turn_j;
+  Quat<T> orientation_i, orientation_j;
 };
 
 /// Deformation of a bond. World frame.
@@ -36,8 +36,8 @@ struct BondStrain {
 
 /// The mean turn of a bond's ends, weighted by the arms and not normalised.
 template <class T>
-GYRO_HD Quat<T> mean_turn(T arm, const BondEnds<T>& ends) {
-  const Quat<T>&p = ends.turn_i, &q = ends.turn_j;
+GYRO_HD Quat<T> mean_orientation(T arm, const BondEnds<T>& ends) {
+  const Quat<T>&p = ends.orientation_i, &q = ends.orientation_j;
   const T a = arm, b = T(1) - arm;
   return {a * p.w + b * q.w, a * p.x + b * q.x, a * p.y + b * q.y, a * p.z + b * q.z};
 }
@@ -52,8 +52,8 @@ GYRO_HD Vec3<T> rotate_any(const Quat<T>& q, const Vec3<T>& v) {
 
 /// Where the normal of a glued bond's section points now: e turned by the mean turn of the ends.
 template <class T>
-GYRO_HD Vec3<T> glued_axis(const BondShape<T>& b, const BondEnds<T>& ends) {
-  return rotate_any(mean_turn(b.arm, ends), b.axis);
+GYRO_HD Vec3<T> intact_axis(const BondShape<T>& b, const BondEnds<T>& ends) {
+  return rotate_any(mean_orientation(b.arm, ends), b.axis);
 }
 
 /// Where the axis of an unglued bond points now. Its ends may roll over each other, so that their mean
@@ -61,8 +61,8 @@ GYRO_HD Vec3<T> glued_axis(const BondShape<T>& b, const BondEnds<T>& ends) {
 /// @param axis  of the last step, world frame
 /// @param spin  a_i w_i + a_j w_j [rad/s]
 template <class T>
-GYRO_HD Vec3<T> unglued_axis(const Vec3<T>& axis, const Vec3<T>& spin, T dt) {
-  return rotate(turned(Quat<T>{T(1), T(0), T(0), T(0)}, spin, dt), axis);
+GYRO_HD Vec3<T> pressed_axis(const Vec3<T>& axis, const Vec3<T>& angular_velocity, T dt) {
+  return rotate(rotated(Quat<T>{T(1), T(0), T(0), T(0)}, angular_velocity, dt), axis);
 }
 
 /// Strains of a bond in total form: from positions and turns alone, without history.
@@ -86,7 +86,7 @@ GYRO_HD BondStrain<T> strain_about(const Vec3<T>& axis, T length0, const BondEnd
   const Vec3<T> n = (T(1) / length) * ends.span;
   const T along = dot(axis, n);
 
-  const Quat<T>&p = ends.turn_i, &q = ends.turn_j;
+  const Quat<T>&p = ends.orientation_i, &q = ends.orientation_j;
   const Vec3<T> rp{p.x, p.y, p.z}, rq{q.x, q.y, q.z};
   const Vec3<T> half = p.w * rq - q.w * rp + cross(rp, rq);
   const Vec3<T> theta = half + half;
@@ -97,7 +97,7 @@ GYRO_HD BondStrain<T> strain_about(const Vec3<T>& axis, T length0, const BondEnd
 /// Strains of a glued bond.
 template <class T>
 GYRO_HD BondStrain<T> bond_strain(const BondShape<T>& b, const BondEnds<T>& ends) {
-  return strain_about(glued_axis(b, ends), b.length, ends);
+  return strain_about(intact_axis(b, ends), b.length, ends);
 }
 
 /// The axis that shows `keep` (0..1) of the present shear: what slip leaves behind.

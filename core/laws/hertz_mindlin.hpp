@@ -20,19 +20,19 @@ struct ContactLaw {
 /// Kinematics of one contact, seen from body i. World frame.
 template <class T>
 struct ContactMotion {
-  Vec3<T> normal;    ///< unit vector from i to j
-  T overlap;         ///< delta > 0 while the bodies touch [m]
-  Vec3<T> velocity;  ///< of i relative to j at the contact point [m/s]
-  Vec3<T> spin;      ///< of i relative to j [rad/s]
-  T radius;          ///< R* = Ri Rj/(Ri + Rj) [m]
-  T mass;            ///< m* = mi mj/(mi + mj) [kg]
-  T inertia;         ///< I* = Ii Ij/(Ii + Ij) [kg m2]
-  T lever;           ///< I* (ai/Ii - aj/Ij), a the arms: of friction on the relative spin [m]
+  Vec3<T> normal;            ///< unit vector from i to j
+  T overlap;                 ///< delta > 0 while the bodies touch [m]
+  Vec3<T> velocity;          ///< of i relative to j at the contact point [m/s]
+  Vec3<T> angular_velocity;  ///< of i relative to j [rad/s]
+  T radius;                  ///< R* = Ri Rj/(Ri + Rj) [m]
+  T mass;                    ///< m* = mi mj/(mi + mj) [kg]
+  T inertia;                 ///< I* = Ii Ij/(Ii + Ij) [kg m2]
+  T lever;                   ///< I* (ai/Ii - aj/Ij), a the arms: of friction on the relative spin [m]
 };
 
 /// What a contact remembers of the last step. Zero for a new contact.
 template <class T>
-struct ContactPast {
+struct ContactHistory {
   Vec3<T> elastic;  ///< elastic tangential force on i [N]
   T overlap;        ///< [m]
   Vec3<T> drag;     ///< damping force on i, normal and tangential: for the ledger alone [N]
@@ -41,11 +41,11 @@ struct ContactPast {
 /// Loads on body i, what the contact remembers, and what the ledger needs.
 template <class T>
 struct ContactLoad {
-  Vec3<T> force;        ///< on i [N]
-  Vec3<T> couple;       ///< rolling resistance on i; j receives the opposite [N m]
-  ContactPast<T> past;  ///< for the next step
-  T damped;             ///< work lost to damping in this step [J]
-  T slipped;            ///< work lost to friction and rolling in this step [J]
+  Vec3<T> force;              ///< on i [N]
+  Vec3<T> couple;             ///< rolling resistance on i; j receives the opposite [N m]
+  ContactHistory<T> history;  ///< for the next step
+  T damped;                   ///< work lost to damping in this step [J]
+  T slipped;                  ///< work lost to friction and rolling in this step [J]
 };
 
 /// Elastic energy of a contact: 2/5 of (4/3 E* sqrt(R*) delta^1.5) delta, plus Ft^2/(2 St) [J].
@@ -82,7 +82,8 @@ GYRO_HD T contact_energy(const ContactLaw<T>& law, T radius, T overlap, const Ve
 /// @param c     kinematics; c.overlap > 0
 /// @param past  of the last step
 template <class T>
-GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMotion<T>& c, const ContactPast<T>& past) {
+GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMotion<T>& c,
+                                     const ContactHistory<T>& history) {
   using std::sqrt;
   const T tiny = T(1e-30);
   const T root = sqrt(c.radius * c.overlap);
@@ -95,9 +96,9 @@ GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMoti
   const T limit = law.friction * push;
 
   // The memory in the present tangent plane, at equal size, softened while unloading.
-  const Vec3<T> flat = tangential(past.elastic, c.normal);
-  const T size_before = norm(past.elastic), size_flat = norm(flat);
-  const T unload = select(c.overlap < past.overlap, sqrt(c.overlap / larger(past.overlap, tiny)), T(1));
+  const Vec3<T> flat = tangential(history.elastic, c.normal);
+  const T size_before = norm(history.elastic), size_flat = norm(flat);
+  const T unload = select(c.overlap < history.overlap, sqrt(c.overlap / larger(history.overlap, tiny)), T(1));
   const Vec3<T> laid = (size_before / larger(size_flat, tiny)) * flat;
 
   const Vec3<T> slide = c.velocity - speed_n * c.normal;
@@ -114,17 +115,17 @@ GYRO_HD ContactLoad<T> hertz_mindlin(const ContactLaw<T>& law, const ContactMoti
   const Vec3<T> friction = cut * wanted;
   out.force = friction - push * c.normal;
   const Vec3<T> drag = friction - elastic - (push - spring_n) * c.normal;
-  out.past = {elastic, c.overlap, drag};
-  out.damped = T(-0.5) * law.dt * dot(past.drag + drag, c.velocity);
+  out.history = {elastic, c.overlap, drag};
+  out.damped = T(-0.5) * law.dt * dot(history.drag + drag, c.velocity);
 
   // Work into the tangential spring less what it stores is friction.
-  const T root_before = sqrt(c.radius * past.overlap);
+  const T root_before = sqrt(c.radius * history.overlap);
   const T stored_before = size_before * size_before / larger(T(16) * law.shear * root_before, tiny);
   const T stored = norm2(elastic) / larger(stiff_t + stiff_t, tiny);
   out.slipped = T(-0.5) * law.dt * dot(laid + elastic, slide) - (stored - stored_before);
 
   // Rolling.
-  const Vec3<T> roll = tangential(c.spin, c.normal);
+  const Vec3<T> roll = tangential(c.angular_velocity, c.normal);
   const Vec3<T> resting = (T(0.25) * c.inertia / law.dt) * roll + c.lever * cross(c.normal, friction);
   const T needed = norm(resting), strongest = law.rolling * c.radius * push;
   const T share = select(needed > strongest, strongest / larger(needed, tiny), T(1));

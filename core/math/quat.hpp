@@ -59,7 +59,7 @@ GYRO_HD constexpr Quat<T> renormalised(const Quat<T>& q) {
 /// q' = (1, w dt/2) q at unit length turns by 2 atan(|w| dt/2): the angle is short by (|w| dt)^2/12, the
 /// same for all bodies of one spin, and needs no trigonometry, so that the CPU and the GPU agree to the bit.
 template <class T>
-GYRO_HD constexpr Quat<T> turned(const Quat<T>& q, const Vec3<T>& w, T dt) {
+GYRO_HD constexpr Quat<T> rotated(const Quat<T>& q, const Vec3<T>& w, T dt) {
   const T h = T(0.5) * dt;
   return renormalised(Quat<T>{T(1), h * w.x, h * w.y, h * w.z} * q);
 }

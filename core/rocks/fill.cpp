@@ -16,11 +16,11 @@
 namespace gyro {
 namespace {
 
-constexpr int cuts = 16, most_cuts = 64;  // more where few particles seldom hold together
-constexpr int cuts_of_many = 4;           // where chance evens out by itself
-constexpr double many = 3000;             // particles
+constexpr int cuts = 16, max_cuts = 64;  // more where few particles seldom hold together
+constexpr int cuts_of_many = 4;          // where chance evens out by itself
+constexpr double many = 3000;            // particles
 /// A cut that loses more than this share of its spheres is no rock.
-constexpr double least_kept = 0.8;
+constexpr double min_kept = 0.8;
 /// Draws up to here made the packing itself.
 constexpr std::uint32_t first_draw = 16;
 
@@ -30,8 +30,8 @@ double cube(double x) {
 
 /// Where and how the shape lies in the packing.
 struct Cut {
-  Vec3d offset;  ///< of the shape's centre, in the packing
-  Quatd turn;    ///< from the shape's frame to the packing's
+  Vec3d offset;       ///< of the shape's centre, in the packing
+  Quatd orientation;  ///< from the shape's frame to the packing's
 };
 
 Cut draw_cut(const Packing& packing, std::uint64_t seed, std::uint64_t rock, int attempt) {
@@ -44,7 +44,7 @@ Cut draw_cut(const Packing& packing, std::uint64_t seed, std::uint64_t rock, int
   // Uniform over all turns: Shoemake, Graphics Gems III (1992) 124.
   const double u = draw(), a = 2 * std::numbers::pi * draw(), b = 2 * std::numbers::pi * draw();
   const double s = std::sqrt(1 - u), c = std::sqrt(u);
-  cut.turn = {c * std::cos(b), s * std::sin(a), s * std::cos(a), c * std::sin(b)};
+  cut.orientation = {c * std::cos(b), s * std::sin(a), s * std::cos(a), c * std::sin(b)};
   return cut;
 }
 
@@ -61,7 +61,7 @@ Filling cut_out(const Mould& mould, const Packing& packing, const Cut& cut, doub
       for (double y = first(d.y); y <= reach; y += side) {
         for (double z = first(d.z); z <= reach; z += side) {
           if (x * x + y * y + z * z > reach * reach) continue;
-          const Vec3d p = unit * rotate_back(cut.turn, Vec3d{x, y, z});
+          const Vec3d p = unit * rotate_back(cut.orientation, Vec3d{x, y, z});
           if (!mould.inside.contains(p)) continue;
           found.centres.push_back(p);
           found.radii.push_back(unit * packing.radii[k]);
@@ -125,12 +125,12 @@ Filling best_cut(const Mould& mould, const Packing& packing, double unit, const 
   const int enough = expected < many ? cuts : cuts_of_many;
   Filling best;
   double best_misfit = std::numeric_limits<double>::infinity();
-  for (int attempt = 0; attempt < enough || (best.centres.empty() && attempt < most_cuts); ++attempt) {
+  for (int attempt = 0; attempt < enough || (best.centres.empty() && attempt < max_cuts); ++attempt) {
     const Cut cut = draw_cut(packing, job.seed, job.rock, attempt);
     const Filling whole = sorted_for_locality(cut_out(mould, packing, cut, unit));
     const auto found = static_cast<Index>(whole.centres.size());
     const std::vector<Index> piece = largest_piece(make_bonds(whole.centres, whole.radii, bonds), found);
-    if (piece.empty() || static_cast<double>(piece.size()) < least_kept * found) continue;
+    if (piece.empty() || static_cast<double>(piece.size()) < min_kept * found) continue;
     Filling filling = selected(whole, piece);
     const double m = misfit(mould, filling, packing.fraction);
     if (m < best_misfit) best = std::move(filling), best_misfit = m;
@@ -158,10 +158,10 @@ Vessel vessel_of(const Mould& mould) {
 /// spheres less densely than spheres do, how much less depends on shape and ratio.
 Packing jam_to_ratio(const Vessel& vessel, double ratio, const FillJob& job) {
   constexpr double close = 0.003, guess = 0.58;
-  constexpr int most_tries = 5;
+  constexpr int max_tries = 5;
   Packing best;
   double fraction = guess, best_error = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < most_tries && best_error > close; ++k) {
+  for (int k = 0; k < max_tries && best_error > close; ++k) {
     const int count = std::max(1, static_cast<int>(std::lround(fraction * cube(ratio))));
     Packing packing = jam_in(vessel, count, job.seed, job.rock << 32);
     fraction = packing.fraction;
@@ -180,7 +180,7 @@ Filling jammed(const MonoFill& mono, const Mould& mould, const BondRule& bonds, 
   const Filling whole = sorted_for_locality(filling);
   const auto found = static_cast<Index>(whole.centres.size());
   const std::vector<Index> piece = largest_piece(make_bonds(whole.centres, whole.radii, bonds), found);
-  return static_cast<double>(piece.size()) < least_kept * found ? Filling{} : selected(whole, piece);
+  return static_cast<double>(piece.size()) < min_kept * found ? Filling{} : selected(whole, piece);
 }
 
 std::string in_mm(double length) {
@@ -190,7 +190,7 @@ std::string in_mm(double length) {
 }
 
 void check(const MonoFill& mono) {
-  if (mono.ratio >= least_fill_ratio && mono.ratio <= greatest_fill_ratio) return;
+  if (mono.ratio >= min_fill_ratio && mono.ratio <= greatest_fill_ratio) return;
   throw BadInput("rocks.fill ratio is " + std::to_string(mono.ratio) + "; accepted is 2 to 50");
 }
 
@@ -263,7 +263,7 @@ Grading grading_of(const RangeFill& range, double diameter) {
   const double ratio = range.largest / range.smallest * std::exp2(-std::max(0.0, below) / classes);
   const Grading grading{std::max(1.0, ratio), range.exponent};
   const double count = 0.7 * cube(diameter / range.smallest) / mean_cubed_radius(grading);
-  if (count > most_particles) {
+  if (count > max_particles) {
     throw BadInput("a rock of " + in_mm(diameter) + " would hold about " + std::to_string(std::lround(count)) +
                    " particles; accepted are 100000, so larger rocks.fill.sizes or smaller rocks");
   }

@@ -44,11 +44,11 @@ struct RangeFill {
 using FillRule = std::variant<MonoFill, RangeFill>;
 
 /// Smallest and largest fill ratio on offer: about 5 and 80,000 particles.
-inline constexpr double least_fill_ratio = 2, greatest_fill_ratio = 50;
+inline constexpr double min_fill_ratio = 2, greatest_fill_ratio = 50;
 /// Largest (largest/smallest diameter) of a range: packings grow with its third power.
 inline constexpr double greatest_size_ratio = 8;
 /// More particles than this are no rock.
-inline constexpr double most_particles = 100000;
+inline constexpr double max_particles = 100000;
 
 /// @throws BadInput numbers out of range
 void check_rule(const FillRule& rule);

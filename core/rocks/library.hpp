@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/scene.hpp"
 #include "core/rocks/bonds.hpp"
 #include "core/rocks/fill.hpp"
 #include "core/rocks/rock_template.hpp"
 #include "core/rocks/size_distribution.hpp"
 #include "core/rocks/stability.hpp"
+#include "core/scene/scene.hpp"
 
 #include <cstdint>
 #include <string>

@@ -34,9 +34,10 @@ DampedBond damped_bond(const BondParameters& p, const TemplateBond& bond, double
           damped(k.bending, reduced_inertia)};
 }
 
-Row12 row(const Vec3d& xi, const Vec3d& turn_i, const Vec3d& xj, const Vec3d& turn_j) {
+Row12 row(const Vec3d& xi, const Vec3d& orientation_i, const Vec3d& xj, const Vec3d& orientation_j) {
   Row12 r;
-  r << xi.x, xi.y, xi.z, turn_i.x, turn_i.y, turn_i.z, xj.x, xj.y, xj.z, turn_j.x, turn_j.y, turn_j.z;
+  r << xi.x, xi.y, xi.z, orientation_i.x, orientation_i.y, orientation_i.z, xj.x, xj.y, xj.z, orientation_j.x,
+      orientation_j.y, orientation_j.z;
   return r;
 }
 

@@ -27,14 +27,14 @@ double total_volume(const std::vector<double>& radii) {
 }
 
 /// Random points in a cube in which spheres of these radii have the fraction.
-SoftSpheres random_spheres(std::vector<double> radii, double fraction, double list_margin, std::uint64_t seed) {
+SoftSpheres random_spheres(std::vector<double> radii, double fraction, double list_skin, std::uint64_t seed) {
   const double side = std::cbrt(total_volume(radii) / fraction);
   std::vector<Vec3d> points;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const auto draw = [&](std::uint32_t k) { return side * uniform(seed, Stream::fill, i, k); };
     points.push_back({draw(0), draw(1), draw(2)});
   }
-  return {std::move(points), std::move(radii), side, list_margin};
+  return {std::move(points), std::move(radii), side, list_skin};
 }
 
 /// Random points in a vessel. One that does not find room in a thousand draws is left for the faces to push in.
@@ -74,9 +74,9 @@ Packing hardened(SoftSpheres soft) {
 
 /// Shrinks the cube in ever smaller steps of the fraction while the spheres find places.
 void compress(SoftSpheres& spheres) {
-  constexpr double first_gain = 0.03, least_gain = 0.001;
+  constexpr double first_gain = 0.03, min_gain = 0.001;
   constexpr int steps = 600;
-  for (double gain = first_gain; gain > least_gain;) {
+  for (double gain = first_gain; gain > min_gain;) {
     SoftSpheres denser = spheres;
     denser.scale(std::cbrt(spheres.fraction() / (spheres.fraction() + gain)));
     if (denser.settle(0, steps, largest_overlap))
@@ -98,8 +98,8 @@ void gather_loose(SoftSpheres& spheres) {
 }  // namespace
 
 Packing jam_spheres(int spheres, std::uint64_t seed) {
-  constexpr double list_margin = 0.3;
-  SoftSpheres soft = random_spheres(std::vector<double>(spheres, 1.0), soft_fraction, list_margin, seed);
+  constexpr double list_skin = 0.3;
+  SoftSpheres soft = random_spheres(std::vector<double>(spheres, 1.0), soft_fraction, list_skin, seed);
   soft.settle(1e-4, 5000);
   return hardened(std::move(soft));
 }
@@ -125,13 +125,13 @@ double mean_cubed_radius(const Grading& grading) {
 }
 
 Packing jam_graded(const Grading& grading, std::uint64_t seed) {
-  constexpr double list_margin = 0.8, loose_fraction = 0.58, guess = 0.66, largest_diameters = 5;
+  constexpr double list_skin = 0.8, loose_fraction = 0.58, guess = 0.66, largest_diameters = 5;
   constexpr int fewest = 400;
   const double cube = std::pow(2 * largest_diameters * grading.ratio, 3);
   const int count = std::max(fewest, static_cast<int>(guess * cube / sphere_volume / mean_cubed_radius(grading)));
   std::vector<double> radii;
   for (int k = 0; k < count; ++k) radii.push_back(radius_at(grading, (k + 0.5) / count));
-  SoftSpheres soft = random_spheres(std::move(radii), loose_fraction, list_margin, seed);
+  SoftSpheres soft = random_spheres(std::move(radii), loose_fraction, list_skin, seed);
   soft.settle(0, 3000, largest_overlap);
   compress(soft);
   gather_loose(soft);
@@ -139,10 +139,10 @@ Packing jam_graded(const Grading& grading, std::uint64_t seed) {
 }
 
 Packing jam_in(Vessel vessel, int spheres, std::uint64_t seed, std::uint64_t first) {
-  constexpr double list_margin = 0.5, loose_fraction = 0.45;
+  constexpr double list_skin = 0.5, loose_fraction = 0.45;
   scale(vessel, std::cbrt(spheres * sphere_volume / loose_fraction / vessel.volume));
   std::vector<Vec3d> points = points_in(vessel, spheres, seed, first);
-  SoftSpheres soft(std::move(points), std::vector<double>(spheres, 1.0), std::move(vessel), list_margin);
+  SoftSpheres soft(std::move(points), std::vector<double>(spheres, 1.0), std::move(vessel), list_skin);
   soft.settle(0, 3000, largest_overlap);
   compress(soft);
   gather_loose(soft);

@@ -12,7 +12,7 @@ namespace {
 
 /// To be raised with every change that makes other rocks from the same recipe.
 constexpr int generator_version = 3;
-constexpr int most_samples = 10000;
+constexpr int max_samples = 10000;
 
 class Text {
  public:
@@ -90,7 +90,7 @@ void check_not_negative(const std::string& name, double value) {
 
 void check_recipe(const LibraryRecipe& recipe) {
   if (const auto* procedural = std::get_if<ProceduralShapes>(&recipe.shapes)) {
-    if (procedural->count < 1 || procedural->count > most_samples) {
+    if (procedural->count < 1 || procedural->count > max_samples) {
       throw BadInput("rocks.shapes: the number of procedural shapes must be 1 to 10000");
     }
     check_style(procedural->style);
@@ -102,10 +102,10 @@ void check_recipe(const LibraryRecipe& recipe) {
   } else {
     const auto& files = std::get<ShapeFiles>(recipe.shapes);
     if (files.paths.empty()) throw BadInput("rocks.shapes: the list of files is empty; accepted are STL and OBJ files");
-    if (files.corners != 0 && (files.corners < 8 || files.corners > most_samples))
+    if (files.corners != 0 && (files.corners < 8 || files.corners > max_samples))
       throw BadInput("rocks.shapes.corners must be 8 to 10000");
   }
-  if (recipe.samples < 1 || recipe.samples > most_samples) throw BadInput("rocks.sizes.samples must be 1 to 10000");
+  if (recipe.samples < 1 || recipe.samples > max_samples) throw BadInput("rocks.sizes.samples must be 1 to 10000");
   check_rule(recipe.fill);
   if (!(std::isfinite(recipe.rock_density) && recipe.rock_density > 0)) {
     throw BadInput("the rock's density must be a positive number");

@@ -55,9 +55,9 @@ Vec3d nearest_image(const Vec3d& d, double side) {
   return {wrap(d.x), wrap(d.y), wrap(d.z)};
 }
 
-SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_margin)
+SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_skin)
     : side_(side),
-      margin_(list_margin),
+      margin_(list_skin),
       largest_radius_(*std::max_element(radii.begin(), radii.end())),
       radii_(std::move(radii)),
       x_(std::move(centres)),
@@ -65,17 +65,17 @@ SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, 
       force_(x_.size()) {}
 
 // With a period of four reaches no sphere meets an image of another one.
-SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_margin)
-    : SoftSpheres(std::move(centres), std::move(radii), 4 * vessel.reach, list_margin) {
+SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_skin)
+    : SoftSpheres(std::move(centres), std::move(radii), 4 * vessel.reach, list_skin) {
   vessel_ = std::move(vessel);
 }
 
-bool SoftSpheres::settle(double force_tolerance, int most_steps, double overlap_limit) {
+bool SoftSpheres::settle(double force_tolerance, int max_steps, double overlap_limit) {
   dt_ = 0.1, mixing_ = 0.1, downhill_ = 0;
   std::fill(v_.begin(), v_.end(), Vec3d{0, 0, 0});
   find_pairs();
   update_forces();
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     if (!(largest_force() > force_tolerance)) return true;
     if (overlap_limit > 0 && step % 10 == 0 && largest_overlap() <= overlap_limit) return true;
     move();

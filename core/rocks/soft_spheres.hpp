@@ -33,13 +33,13 @@ void scale(Vessel& vessel, double factor);
 /// what is closer than `list_margin`, which changes speed and the last bits.
 class SoftSpheres {
  public:
-  SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_margin);
+  SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_skin);
   /// @param centres inside the vessel
-  SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_margin);
+  SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_skin);
 
   /// Goes downhill (FIRE: Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201, its parameters) until no force exceeds the
   /// tolerance or no overlap the limit. @return whether it got there in so many steps
-  bool settle(double force_tolerance, int most_steps, double overlap_limit = 0);
+  bool settle(double force_tolerance, int max_steps, double overlap_limit = 0);
 
   /// Brings everything closer or further apart.
   void scale(double factor);

@@ -25,7 +25,7 @@ struct Lanczos {
   Eigen::VectorXd diagonal, beside;
   int size = 0;
 
-  Lanczos(Eigen::Index n, int most) : basis(n, most), diagonal(most), beside(most) {}
+  Lanczos(Eigen::Index n, int maximum) : basis(n, maximum), diagonal(maximum), beside(maximum) {}
 
   /// Extends the basis by one vector. @return what is left of the operator's image, orthogonal to the basis
   template <class Operator>
@@ -46,17 +46,17 @@ struct Lanczos {
 template <class Operator>
 Mode largest_mode(const Operator& apply, Eigen::VectorXd start, double tolerance) {
   const Eigen::Index n = start.size();
-  const int most = static_cast<int>(std::min<Eigen::Index>(n, 80));
+  const int maximum = static_cast<int>(std::min<Eigen::Index>(n, 80));
   constexpr int check_every = 8, restarts = 50;
   Mode mode{0, start.normalized()};
   for (int restart = 0; restart < restarts; ++restart) {
-    Lanczos lanczos(n, most);
+    Lanczos lanczos(n, maximum);
     Eigen::VectorXd next = mode.vector;
     for (bool full = false; !full;) {
       const Eigen::VectorXd rest = lanczos.extend(apply, next);
       const double beta = lanczos.beside[lanczos.size - 1];
       const bool closed = !(beta > 1e-13 * std::abs(lanczos.diagonal[0]));  // an invariant subspace
-      full = lanczos.size == most || closed;
+      full = lanczos.size == maximum || closed;
       if (full || lanczos.size % check_every == 0) {
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> small;
         small.computeFromTridiagonal(lanczos.diagonal.head(lanczos.size), lanczos.beside.head(lanczos.size - 1));

@@ -9,9 +9,9 @@ namespace gyro {
 
 /// Life of a bond: it only ever moves to the right.
 enum BondState : std::int32_t {
-  bond_glued = 0,
-  bond_unglued = 1,  ///< failed, ends not apart yet: a spring that only pushes
-  bond_gone = 2      ///< apart: the pair is an ordinary contact
+  bond_intact = 0,
+  bond_pressed = 1,  ///< failed, ends not apart yet: a spring that only pushes
+  bond_broken = 2    ///< apart: the pair is an ordinary contact
 };
 
 /// Columns of the bonds. Real is the number type of the loads. A bond holds no history: 60 bytes in

@@ -7,12 +7,12 @@
 namespace gyro {
 
 /// Notes contacts that are pressed in too deep.
-struct DeepContacts {
-  double limit;          ///< overlap / radius [-]
-  std::int32_t* passed;  ///< set to 1 by any contact beyond it
+struct OverlapCheck {
+  double limit;                  ///< overlap / radius [-]
+  std::int32_t* limit_exceeded;  ///< set to 1 by any contact beyond it
 
-  GYRO_HD void look_at(double overlap, double radius) const {
-    if (overlap > limit * radius) raise_flag(passed);
+  GYRO_HD void check_overlap(double overlap, double radius) const {
+    if (overlap > limit * radius) raise_flag(limit_exceeded);
   }
 };
 
@@ -25,13 +25,13 @@ struct Pair {
 
 /// What a contact remembers from one step to the next. Zero while the pair does not touch.
 template <class Real>
-using ContactMemory = ContactPast<Real>;
+using ContactHistory = ContactHistory<Real>;
 
 /// Result of a pair for this step.
 template <class Real>
 struct PairResult {
   Vec3<Real> force;               ///< on i; j receives the opposite [N]
-  Vec3<Real> moment_i, moment_j;  ///< [N m]
+  Vec3<Real> torque_i, torque_j;  ///< [N m]
   Real damped, slipped;           ///< work lost in this step [J]
 };
 
@@ -45,7 +45,7 @@ struct PairEnd {
 template <class Real>
 struct PairView {
   Pair* pairs;
-  ContactMemory<Real>* memory;
+  ContactHistory<Real>* history;
   PairResult<Real>* result;
   std::int8_t* touching;
   Index* row_begin;  ///< per particle, into ends; one past the end at the last

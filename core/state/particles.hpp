@@ -24,7 +24,7 @@ struct alignas(32) Motion {
 };
 
 /// How it spins.
-struct alignas(32) Spin {
+struct alignas(32) AngularMotion {
   Vec3d w;         ///< [rad/s]
   double inertia;  ///< 2/5 m R^2 [kg m2]
 };
@@ -34,7 +34,7 @@ struct alignas(32) Spin {
 struct alignas(64) Load {
   Vec3d force{0, 0, 0};   ///< [N]
   double damped = 0;      ///< [J]
-  Vec3d moment{0, 0, 0};  ///< [N m]
+  Vec3d torque{0, 0, 0};  ///< [N m]
   double slipped = 0;     ///< [J]
 };
 
@@ -47,13 +47,13 @@ struct LostWork {
 /// Columns of the particles. Column<T> is a buffer, a pointer or a vector of T.
 template <template <class> class Column>
 struct Particles {
-  Column<Sphere> place;
+  Column<Sphere> position;
   Column<Motion> motion;
-  Column<Spin> spin;
-  Column<Quatd> turn;       ///< since the particle came into the scene; empty without bonds
-  Column<Load> load;        ///< total at the present place, gravity included
-  Column<Load> bond_load;   ///< from bonds alone; empty without bonds
-  Column<Vec3d> listed_at;  ///< place when the neighbour lists were built
+  Column<AngularMotion> angular_motion;
+  Column<Quatd> orientation;      ///< since the particle came into the scene; empty without bonds
+  Column<Load> load;              ///< total at the present place, gravity included
+  Column<Load> bond_load;         ///< from bonds alone; empty without bonds
+  Column<Vec3d> listed_position;  ///< place when the neighbour lists were built
   Column<LostWork> losses;
   Column<ParticleId> id;
   Column<Index> block;  ///< of rock
@@ -63,13 +63,13 @@ struct Particles {
 /// given, in step: the one list of columns.
 template <class F, class... P>
 void for_each_particle_column(F&& f, P&... p) {
-  f("place", false, p.place...);
+  f("position", false, p.position...);
   f("motion", false, p.motion...);
-  f("spin", false, p.spin...);
-  f("turn", true, p.turn...);
+  f("angular_motion", false, p.angular_motion...);
+  f("orientation", true, p.orientation...);
   f("load", false, p.load...);
   f("bond_load", true, p.bond_load...);
-  f("listed_at", false, p.listed_at...);
+  f("listed_position", false, p.listed_position...);
   f("losses", false, p.losses...);
   f("id", false, p.id...);
   f("block", false, p.block...);
@@ -87,9 +87,9 @@ static_assert(sizeof(ParticleView) == 10 * sizeof(void*), "a new column needs a 
 /// forces of the hold's begin would heat an elastic impact.
 /// @param ahead  time to the middle of the hold [s]
 template <bool held>
-GYRO_HD Sphere seen(const ParticleView& p, Index n, double ahead) {
-  Sphere s = p.place[n];
-  if constexpr (held) s.x += ahead * p.motion[n].v;
+GYRO_HD Sphere contact_position(const ParticleView& p, Index n, double half_hold_offset) {
+  Sphere s = p.position[n];
+  if constexpr (held) s.x += half_hold_offset * p.motion[n].v;
   return s;
 }
 

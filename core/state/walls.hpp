@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/scene.hpp"
-#include "core/laws/wall_contact.hpp"
+#include "core/scene/scene.hpp"
 #include "core/state/contacts.hpp"
+#include "core/surfaces/touch_wall.hpp"
 
 namespace gyro {
 
@@ -27,16 +27,16 @@ struct WallEntry {
 
 /// Contacts of one entry: as many as a sphere can have with one wall.
 template <class Real>
-struct WallMemory {
-  ContactMemory<Real> contact[WallTouches::capacity];  ///< force on the particle
-  Vec3<Real> normal[WallTouches::capacity];            ///< wall to sphere; finds the contact again
+struct WallHistory {
+  ContactHistory<Real> contact[WallTouches::capacity];  ///< force on the particle
+  Vec3<Real> normal[WallTouches::capacity];             ///< wall to sphere; finds the contact again
   std::int32_t count;
 };
 
 /// Result of an entry for this step.
 template <class Real>
 struct WallResult {
-  Vec3<Real> force, moment;  ///< on the particle
+  Vec3<Real> force, torque;  ///< on the particle
   Real damped, slipped;      ///< [J]
 };
 
@@ -44,7 +44,7 @@ struct WallResult {
 /// whatever the order, the threads and the times at which lists are rebuilt.
 struct WallSum {
   std::int64_t force[3] = {0, 0, 0};   ///< sum over steps [quantum of N s]
-  std::int64_t moment[3] = {0, 0, 0};  ///< about the world's origin
+  std::int64_t torque[3] = {0, 0, 0};  ///< about the world's origin
   std::int64_t work = 0;               ///< of the wall on the rock
   std::int64_t slip = 0;               ///< lost in sliding friction
 };
@@ -55,12 +55,12 @@ struct WallView {
   const WallSurface* surfaces;
   const WallPose* poses;  ///< of this step
   WallEntry* entries;
-  WallMemory<Real>* memory;
+  WallHistory<Real>* history;
   WallResult<Real>* result;
   std::int8_t* touching;
-  WallSum* sums;     ///< one an entry: of the window so far
-  WallSum* later;    ///< one an entry: what of the last step's loads acts in the next window
-  Index* row_begin;  ///< per particle; rows are ordered by wall
+  WallSum* sums;          ///< one an entry: of the window so far
+  WallSum* carried_over;  ///< one an entry: what of the last step's loads acts in the next window
+  Index* row_begin;       ///< per particle; rows are ordered by wall
   Index count;
 };
 

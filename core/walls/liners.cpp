@@ -113,10 +113,10 @@ double solve_lift(const Liners& liners) {
   const double wanted = liners.setting.closed_side_setting;
   const auto excess = [&](double lift) { return side_setting(liners, lift, true) - wanted; };
   // Widen a bracket [low, high] around no lift: open below, closed above.
-  const double most = (liners.rows.back().z - liners.rows.front().z) / 2;
+  const double maximum = (liners.rows.back().z - liners.rows.front().z) / 2;
   double low = 0, high = 0;
-  for (double step = most / 64; step <= most && excess(low) < 0; step *= 2) low = -step;
-  for (double step = most / 64; step <= most && excess(high) > 0; step *= 2) high = step;
+  for (double step = maximum / 64; step <= maximum && excess(low) < 0; step *= 2) low = -step;
+  for (double step = maximum / 64; step <= maximum && excess(high) > 0; step *= 2) high = step;
   const double widest = side_setting(liners, low, true);
   require(widest > std::max(side_setting(liners, high, true), 0.0),
           "the mantle reaches the concave at any height, by its profile or by the eccentricity; a narrower mantle or a "
@@ -125,7 +125,7 @@ double solve_lift(const Liners& liners) {
                                                      " m cannot be had by lifting the mantle; between " +
                                                      std::to_string(std::max(side_setting(liners, high, true), 0.0)) +
                                                      " and " + std::to_string(widest) + " m are accepted");
-  while (high - low > 1e-12 * most) {
+  while (high - low > 1e-12 * maximum) {
     const double middle = (low + high) / 2;
     (excess(middle) >= 0 ? low : high) = middle;
   }

@@ -120,7 +120,7 @@ std::vector<MeshReport::NipAngle> nip_angles(const SectionedChamber& chamber) {
     MeshReport::NipAngle nip{z, 1e300, -1e300};
     for (int a = 0; a < RadialSections::azimuths; ++a) {
       const double angle = chamber.nip_angle(a, z, 0.01 * chamber.height());
-      nip = {z, std::min(nip.least, angle), std::max(nip.largest, angle)};
+      nip = {z, std::min(nip.minimum, angle), std::max(nip.largest, angle)};
     }
     angles.push_back(nip);
   }

@@ -25,7 +25,7 @@ struct MeshReport {
   double capacity;                  ///< least of the levels, each summed over azimuth [m3/s], bulk
   double choke_height;              ///< level of that [m]
   struct NipAngle {
-    double z, least, largest;  ///< over azimuth, on the closed side [m], [rad], [rad]
+    double z, minimum, largest;  ///< over azimuth, on the closed side [m], [rad], [rad]
   };
   std::vector<NipAngle> nip_angle;  ///< chords over a fiftieth of the chamber's height, upwards
   double bridged;                   ///< share of the sections that met no surface; the worse liner

@@ -2,7 +2,7 @@
 #include "core/walls/mesh_setting.hpp"
 
 #include "core/base/errors.hpp"
-#include "core/walls/motion.hpp"
+#include "core/scene/wall_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,17 +91,17 @@ void MeshGap::take_points(const MeshShape& mesh, double low, double high, std::v
 }
 
 /// Negative where the mantle's points lie outside the concave: farther from the machine's axis than its surface.
-double MeshGap::gap_of_mantle(const Strip& strip, const WallPose& pose, double least) const {
+double MeshGap::gap_of_mantle(const Strip& strip, const WallPose& pose, double minimum) const {
   for (const Vec3d& point : strip.mantle) {
     const Vec3d p = to_world(pose, point);
-    const Nearest nearest = nearest_within(concave_, p, std::min(std::abs(least), reach_));
+    const Nearest nearest = nearest_within(concave_, p, std::min(std::abs(minimum), reach_));
     if (nearest.triangle == none) continue;
     const Vec3d q = p - nearest.point.height * nearest.point.normal;
     if (q.z < 0 || q.z > 0.1 * height_) continue;
     const double side = std::hypot(p.x, p.y) <= std::hypot(q.x, q.y) ? 1 : -1;
-    least = std::min(least, side * nearest.point.height);
+    minimum = std::min(minimum, side * nearest.point.height);
   }
-  return least;
+  return minimum;
 }
 
 /// Negative where the surfaces overlap: the concave's points are nearer to the mantle's axis than its surface.
@@ -109,22 +109,22 @@ double MeshGap::gap(const Strip& strip, double angle, double lift) const {
   GyrationMotion motion = motion_;
   motion.lift = lift;
   const WallPose pose = gyration_pose(motion, {.angle = angle});
-  double least = reach_;
+  double minimum = reach_;
   for (const Vec3d& point : strip.concave) {
     const Vec3d p = to_body(pose, point);
-    const Nearest nearest = nearest_within(mantle_, p, std::min(std::abs(least), reach_));
+    const Nearest nearest = nearest_within(mantle_, p, std::min(std::abs(minimum), reach_));
     if (nearest.triangle == none) continue;
     const Vec3d q = p - nearest.point.height * nearest.point.normal;
     const double side = std::hypot(p.x, p.y) >= std::hypot(q.x, q.y) ? 1 : -1;
-    least = std::min(least, side * nearest.point.height);
+    minimum = std::min(minimum, side * nearest.point.height);
   }
-  return gap_of_mantle(strip, pose, least);
+  return gap_of_mantle(strip, pose, minimum);
 }
 
 double MeshGap::closed(double lift) const {
-  double least = 1e300;
-  for (const Strip& strip : strips_) least = std::min(least, gap(strip, strip.azimuth, lift));
-  return least;
+  double minimum = 1e300;
+  for (const Strip& strip : strips_) minimum = std::min(minimum, gap(strip, strip.azimuth, lift));
+  return minimum;
 }
 
 SideOfMeshes MeshGap::side(const Strip& strip, double lift) const {
@@ -154,15 +154,15 @@ std::vector<SideOfMeshes> MeshGap::sides(double lift) const {
 double MeshGap::solve_lift(double wanted) const {
   // A lift by s changes no distance by more than s: steps of what is lacking jump over no narrow place, as the one
   // where the mantle's rim passes the concave's, beyond which the gap widens again.
-  const double most = height_ / 2, least = most / 256;
+  const double maximum = height_ / 2, minimum = maximum / 256;
   double low = 0, high = 0;  // open below, closed above
   double at_low = closed(0) - wanted, at_high = at_low, narrowest = at_low;
-  while (at_low < 0 && low > -most) {
-    low -= std::max(-at_low, least);
+  while (at_low < 0 && low > -maximum) {
+    low -= std::max(-at_low, minimum);
     at_low = closed(low) - wanted;
   }
-  while (at_high > 0 && high < most) {
-    high += std::max(at_high, least);
+  while (at_high > 0 && high < maximum) {
+    high += std::max(at_high, minimum);
     at_high = closed(high) - wanted;
     narrowest = std::min(narrowest, at_high);
   }

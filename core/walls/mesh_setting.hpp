@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/scene.hpp"
+#include "core/scene/scene.hpp"
 #include "core/walls/nearest.hpp"
 
 #include <vector>
@@ -47,7 +47,7 @@ class MeshGap {
     std::vector<Vec3d> concave, mantle;  ///< the mantle's in its own frame
   };
   void take_points(const MeshShape& mesh, double low, double high, std::vector<Vec3d> Strip::*points);
-  double gap_of_mantle(const Strip& strip, const WallPose& pose, double least) const;
+  double gap_of_mantle(const Strip& strip, const WallPose& pose, double minimum) const;
   double widest_gap() const;
   SideOfMeshes side(const Strip& strip, double lift) const;
   double gap(const Strip& strip, double angle, double lift) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/walls/mesh_grid.hpp"
+#include "core/surfaces/mesh_grid.hpp"
 
 namespace gyro {
 

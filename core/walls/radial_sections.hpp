@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/scene.hpp"
+#include "core/scene/scene.hpp"
 
 #include <vector>
 

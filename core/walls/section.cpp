@@ -15,11 +15,11 @@ double distance_to_piece(const ProfilePoint& p, const ProfilePoint& a, const Pro
 }
 
 double distance_to_line(const Polyline& points, const Polyline& line) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const ProfilePoint& p : points)
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
-      least = std::min(least, distance_to_piece(p, line[i], line[i + 1]));
-  return least;
+      minimum = std::min(minimum, distance_to_piece(p, line[i], line[i + 1]));
+  return minimum;
 }
 
 /// Twice the area of the triangle a, b, c; positive when c is on the left of a to b.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/dem.hpp"
-#include "core/walls/mesh_grid.hpp"
+#include "core/scene/dem.hpp"
+#include "core/surfaces/mesh_grid.hpp"
 
 #include <vector>
 

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;  ///< unpacked, of all entries: beyond any real FMU
-constexpr std::int64_t most_entries = 100'000;
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;  ///< unpacked, of all entries: beyond any real FMU
+constexpr std::int64_t max_entries = 100'000;
 
 /// Why an entry must not be unpacked; empty when it may.
 std::string danger_of(const std::string& name, bool link) {
@@ -62,7 +62,7 @@ Archive::Archive(const fs::path& file) : handle_(std::make_unique<Handle>()) {
     handle_->refuse("is no readable zip archive (" + reason + "); an FMU is accepted");
   }
   const zip_int64_t count = zip_get_num_entries(handle_->zip, 0);
-  if (count > most_entries) handle_->refuse("has too many entries; 100000 are accepted");
+  if (count > max_entries) handle_->refuse("has too many entries; 100000 are accepted");
   std::uint64_t bytes = 0;
   std::set<std::string> seen;
   for (zip_int64_t k = 0; k < count; ++k) {
@@ -76,7 +76,7 @@ Archive::Archive(const fs::path& file) : handle_(std::make_unique<Handle>()) {
       handle_->refuse("entry \"" + name + "\" is there twice");
     if (stat.encryption_method != ZIP_EM_NONE) handle_->refuse("entry \"" + name + "\" is encrypted");
     bytes += stat.size;
-    if (stat.size > most_bytes || bytes > most_bytes) handle_->refuse("is larger than 1 GiB when unpacked");
+    if (stat.size > max_bytes || bytes > max_bytes) handle_->refuse("is larger than 1 GiB when unpacked");
     if (name.back() != '/') names_.push_back(name);
   }
 }

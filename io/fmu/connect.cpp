@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
-#include "io/schema.hpp"
+#include "io/schema/schema.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,11 +36,12 @@ constexpr std::array<FmuQuantityInfo, fmu_quantities> quantities{{
 constexpr std::string_view plain_si[] = {"N.m", "Nm", "N m", "N", "rad", "1", "rad/s", "1/s", "N.m.s", "W", "J"};
 
 std::string list_of(const std::vector<std::string_view>& names) {
-  constexpr std::size_t most = 20;
+  constexpr std::size_t maximum = 20;
   if (names.empty()) return "none";
   std::string text;
-  for (std::size_t k = 0; k < std::min(names.size(), most); ++k) text += (k == 0 ? "" : ", ") + std::string(names[k]);
-  return text + (names.size() > most ? ", and " + std::to_string(names.size() - most) + " more" : "");
+  for (std::size_t k = 0; k < std::min(names.size(), maximum); ++k)
+    text += (k == 0 ? "" : ", ") + std::string(names[k]);
+  return text + (names.size() > maximum ? ", and " + std::to_string(names.size() - maximum) + " more" : "");
 }
 
 /// Names of variables that could stand for a name that is not there.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/fmu/model_description.hpp"
-#include "io/schema.hpp"
+#include "io/schema/schema.hpp"
 
 #include <pugixml.hpp>
 #include <sstream>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* head = "gyrosim drivetrain 1";
 constexpr const char* motor_names[] = {"induction", "double_cage", "droop", "curve", "constant_speed"};
-constexpr double most_points = 1e6;  ///< of a curve: a wrong number shall not ask for all memory
+constexpr double max_points = 1e6;  ///< of a curve: a wrong number shall not ask for all memory
 
 /// Shortest text that reads back to the same double.
 std::string all_digits(double value) {
@@ -47,7 +47,7 @@ class Lines {
 
   std::size_t count(const std::string& name) {
     const double value = number(name);
-    if (!(value >= 0 && value <= most_points)) throw BadInput("the drivetrain's parameters have too many " + name);
+    if (!(value >= 0 && value <= max_points)) throw BadInput("the drivetrain's parameters have too many " + name);
     return static_cast<std::size_t>(value);
   }
 

@@ -63,8 +63,9 @@ SavedSlave SavedSlave::from_bytes(const char* bytes, std::size_t size) {
   SavedSlave saved;
   std::size_t count = 2;
   for_each_number(saved.state, [&](const auto&) { ++count; });
-  const std::size_t least = sizeof state_magic + count * sizeof(double);
-  if (size < least || (size - least) % sizeof(double) != 0 || std::memcmp(bytes, state_magic, sizeof state_magic) != 0)
+  const std::size_t minimum = sizeof state_magic + count * sizeof(double);
+  if (size < minimum || (size - minimum) % sizeof(double) != 0 ||
+      std::memcmp(bytes, state_magic, sizeof state_magic) != 0)
     throw BadInput("these bytes are no saved state of this FMU");
   std::vector<double> numbers((size - sizeof state_magic) / sizeof(double));
   std::memcpy(numbers.data(), bytes + sizeof state_magic, numbers.size() * sizeof(double));

@@ -13,7 +13,7 @@
 namespace gyro {
 namespace {
 
-constexpr std::size_t most_notes = 500;  ///< of one run: a slave may talk at every step
+constexpr std::size_t max_notes = 500;  ///< of one run: a slave may talk at every step
 
 const char* name_of(fmi2Status status) {
   constexpr const char* names[] = {"fmi2OK", "fmi2Warning", "fmi2Discard", "fmi2Error", "fmi2Fatal", "fmi2Pending"};
@@ -57,9 +57,9 @@ struct FmuDrive::Messages {
     std::vsnprintf(text, sizeof text, message != nullptr ? message : "", values);
     va_end(values);
     if (!fine(status)) self.last = text;
-    if (self.muted || ++self.count > most_notes) return;
+    if (self.muted || ++self.count > max_notes) return;
     self.notes.emplace_back(text);
-    if (self.count == most_notes) self.notes.emplace_back("it goes on talking, but no more is kept");
+    if (self.count == max_notes) self.notes.emplace_back("it goes on talking, but no more is kept");
   }
 };
 

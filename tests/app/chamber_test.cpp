@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // No particle leaves the chamber but through its ends, and none is thrown about.
-#include "app/device.hpp"
-#include "app/simulation.hpp"
-#include "core/walls/motion.hpp"
+#include "app/simulation/device.hpp"
+#include "app/simulation/simulation.hpp"
+#include "core/scene/wall_motion.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ struct Survey {
 Survey survey(const std::string& file, double duration) {
   const Case input = load_case(file).loaded.value();
   const Assembly assembly = assemble(input);
-  Simulation run(input, assembly, make_dem(Device{}, assembly.scene, Loads::single));
+  Simulation run(input, assembly, make_dem(Device{}, assembly.scene, Precision::mixed));
   Survey survey;
   survey.look(assembly, run.dem());
   for (int k = 1; run.time() < duration; ++k) {

@@ -80,9 +80,9 @@ TEST_CASE("A relay trips under rock: the machine coasts on, or is braked to a ha
   CHECK(events[0].what == "instantaneous trip");
   CHECK(trip > 0.01);  // not before rock is crushed
   CHECK(trip < 0.03);
-  const double most = result_of(run, "series/motor_torque")[static_cast<std::size_t>(trip / 0.5e-3) - 1];
-  CHECK(most > 0);
-  CHECK(most < 0.02);  // what the relay lets pass [N m]
+  const double maximum = result_of(run, "series/motor_torque")[static_cast<std::size_t>(trip / 0.5e-3) - 1];
+  CHECK(maximum > 0);
+  CHECK(maximum < 0.02);  // what the relay lets pass [N m]
   CHECK(largest_after(run, "motor_torque", trip) == 0);
   CHECK(largest_after(run, "motor_power", trip) == 0);
   const nlohmann::json summary = summary_of(run);

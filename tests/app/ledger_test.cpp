@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the guard stops, and what it lets pass.
-#include "app/ledger.hpp"
-#include "app/momentum_balance.hpp"
+#include "app/simulation/ledger.hpp"
+#include "app/simulation/momentum_balance.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>
@@ -98,11 +98,11 @@ TEST_CASE("The guard names the particle and the limit") {
   fast.fastest = 18;
   CHECK(verdict(0, fast)->find("particle 18 moves by 0.3") != std::string::npos);
   Extremes spinning;
-  spinning.turn = 0.2;
-  spinning.spinner = 19;
+  spinning.rotation = 0.2;
+  spinning.fastest_rotating = 19;
   CHECK(verdict(0, spinning)->find("particle 19 turns by 0.2") != std::string::npos);
   Extremes twisted;
-  twisted.bond_turn = 0.6;
+  twisted.bond_rotation = 0.6;
   twisted.twisted = 20;
   CHECK(verdict(0, twisted)->find("bond of particle 20") != std::string::npos);
   Extremes swept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a crusher's run leaves about its drive and its liners.
-#include "io/hdf5.hpp"
+#include "io/hdf5/hdf5.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 

@@ -67,12 +67,12 @@ TEST_CASE("With a spinning mantle and bearings the coupled energy account closes
   const Drivetrain& drive = *run.simulation.drivetrain();
   const double dragged = drive.state().spin;
   CHECK(dragged == Approx(drive.state().speed).epsilon(1e-4));  // idle: turns with the eccentric
-  double least = dragged;
+  double minimum = dragged;
   while (run.simulation.time() < 0.04) {
     run.simulation.advance();
-    least = std::min(least, drive.state().spin);
+    minimum = std::min(minimum, drive.state().spin);
   }
-  CHECK(least < 0.97 * dragged);  // the rock holds it back
+  CHECK(minimum < 0.97 * dragged);  // the rock holds it back
   const DrivetrainState& s = drive.state();
   REQUIRE(std::abs(s.rock_work) > 0.1);
   CHECK(run.simulation.ledger().energy().wall_work == Approx(s.rock_work).epsilon(1e-4));
@@ -103,7 +103,7 @@ TEST_CASE("What particles did to the walls adds up to the walls' loads, and noti
     const std::vector<WallPose> poses = noted.simulation.dem().wall_poses();
     for (const WallImpulse& one : noted.simulation.dem().take_wall_impulses()) {
       noted_sum[static_cast<std::size_t>(one.wall)] +=
-          rotate(poses[static_cast<std::size_t>(one.wall)].turn, one.impulse);
+          rotate(poses[static_cast<std::size_t>(one.wall)].orientation, one.impulse);
       slid += one.slip;
       CHECK(one.slip > -1e-6);  // the law's own error [J]
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/io/output/scratch.hpp"
+#include "tests/io/run/scratch.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

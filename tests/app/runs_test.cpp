@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole runs of small cases through the program: what they write, and that it is the same every time.
-#include "io/hdf5.hpp"
+#include "io/hdf5/hdf5.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/device.hpp"
-#include "app/simulation.hpp"
-#include "io/case.hpp"
+#include "app/simulation/device.hpp"
+#include "app/simulation/simulation.hpp"
+#include "io/case/case.hpp"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct SmallCrusher {
   explicit SmallCrusher(const std::vector<std::string>& set)
       : input(load_case(GYRO_APP_CASES "/crush.yaml", set).loaded.value()),
         assembly(assemble(input)),
-        simulation(input, assembly, make_dem(Device{}, assembly.scene, Loads::single)) {}
+        simulation(input, assembly, make_dem(Device{}, assembly.scene, Precision::mixed)) {}
 
   Case input;
   Assembly assembly;

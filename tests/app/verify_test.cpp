@@ -14,7 +14,7 @@ using VerifyCase = verify::Case;
 using verify::Recorder;
 
 TEST_CASE("A check passes within its tolerance and never with what is no number") {
-  Recorder out("group/case", Loads::double_), mixed("group/case", Loads::single);
+  Recorder out("group/case", Precision::double_), mixed("group/case", Precision::mixed);
   for (Recorder* r : {&out, &mixed}) {
     r->relative("near", 1.01, 1, {0.005, 0.02}, "test");
     r->absolute("far", 1.01, 1, {0.02, 0.005}, "test");

@@ -73,13 +73,13 @@ TEST_CASE("Inside a colour no two bonds share a particle") {
   const std::size_t count = bonds.size();
   std::vector<int> degree(300, 0);
   for (const TemplateBond& b : bonds) ++degree[b.i], ++degree[b.j];
-  const int most = *std::max_element(degree.begin(), degree.end());
+  const int maximum = *std::max_element(degree.begin(), degree.end());
   const std::vector<Index> begin = colour_bonds(bonds, 300);
   REQUIRE(bonds.size() == count);
   CHECK(begin.front() == 0);
   CHECK(begin.back() == static_cast<Index>(count));
-  CHECK(static_cast<int>(begin.size()) - 1 >= most);
-  CHECK(static_cast<int>(begin.size()) - 1 <= 2 * most - 1);
+  CHECK(static_cast<int>(begin.size()) - 1 >= maximum);
+  CHECK(static_cast<int>(begin.size()) - 1 <= 2 * maximum - 1);
   for (std::size_t c = 0; c + 1 < begin.size(); ++c) {
     std::set<Index> met;
     for (Index k = begin[c]; k < begin[c + 1]; ++k) {

@@ -37,7 +37,7 @@ TEST_CASE("The packing is dense, random and hardly overlaps") {
 TEST_CASE("Particle counts by fill ratio") {
   struct Case {
     double ratio;
-    std::size_t least, most;
+    std::size_t minimum, maximum;
   };
   const Case c = GENERATE(Case{10, 550, 650}, Case{6, 115, 140}, Case{4, 33, 42}, Case{2, 3, 7});
   const BondRule rule{0.05, RelativeBondRadius{0.5}};
@@ -45,8 +45,8 @@ TEST_CASE("Particle counts by fill ratio") {
     const Mould mould(procedural_shape(1, rock));
     const Filling f = fill(mould, MonoFill{c.ratio}, rule, {1, 42, static_cast<std::uint64_t>(rock)});
     CAPTURE(c.ratio, rock, f.centres.size());
-    CHECK(f.centres.size() >= c.least);
-    CHECK(f.centres.size() <= c.most);
+    CHECK(f.centres.size() >= c.minimum);
+    CHECK(f.centres.size() <= c.maximum);
     CHECK(f.radii[0] == Approx(std::cbrt(6 / std::numbers::pi) / 2 / c.ratio));
     const auto bonds = make_bonds(f.centres, f.radii, rule);
     CHECK(largest_piece(bonds, static_cast<Index>(f.centres.size())).size() == f.centres.size());

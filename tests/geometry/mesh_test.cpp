@@ -32,12 +32,12 @@ TEST_CASE("A tetrahedron has the textbook products of inertia") {
 
 TEST_CASE("Principal axes undo a rotation") {
   TriangleMesh mesh = block({5, 3, 2});
-  const Quatd turn = rotation_about({0.6, 0, 0.8}, 1.1);
-  for (Vec3d& v : mesh.vertices) v = rotate(turn, v);
+  const Quatd orientation = rotation_about({0.6, 0, 0.8}, 1.1);
+  for (Vec3d& v : mesh.vertices) v = rotate(orientation, v);
   const PrincipalAxes axes = principal_axes(mass_properties(mesh).inertia);
   CHECK(axes.moments.x == Approx(30.0 / 12 * (9 + 4)));
   CHECK(axes.moments.z == Approx(30.0 / 12 * (25 + 9)));
-  CHECK(std::abs(dot(axes.axes[0], rotate(turn, Vec3d{1, 0, 0}))) == Approx(1));
+  CHECK(std::abs(dot(axes.axes[0], rotate(orientation, Vec3d{1, 0, 0}))) == Approx(1));
   CHECK(dot(cross(axes.axes[0], axes.axes[1]), axes.axes[2]) == Approx(1));
 }
 

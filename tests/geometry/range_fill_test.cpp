@@ -78,11 +78,11 @@ TEST_CASE("Rocks filled with a range of sizes: one piece, exact mass, small erro
     CHECK(rock.coordination > 4);
     CHECK(norm(centre_of_mass(rock.centres, rock.radii)) < 1e-12 * rock.diameter);
     CHECK(deepest(rock.centres, rock.radii) < 0.01);
-    const auto [least, most] = std::minmax_element(rock.radii.begin(), rock.radii.end());
-    CHECK(2 * *least > 0.008);
-    CHECK(2 * *least < 0.0085);
-    CHECK(2 * *most < rock.diameter / 3);
-    CHECK(2 * *most > 0.6 * rock.diameter / 3);
+    const auto [minimum, maximum] = std::minmax_element(rock.radii.begin(), rock.radii.end());
+    CHECK(2 * *minimum > 0.008);
+    CHECK(2 * *minimum < 0.0085);
+    CHECK(2 * *maximum < rock.diameter / 3);
+    CHECK(2 * *maximum > 0.6 * rock.diameter / 3);
   }
 }
 

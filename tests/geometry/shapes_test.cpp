@@ -22,8 +22,8 @@ TEST_CASE("A hull is a solid around its points") {
 TEST_CASE("The sieve size of a block is its middle edge, however it lies") {
   std::vector<Vec3d> corners = block({2, 3, 5}).vertices;
   CHECK(sieve_size(corners) == Approx(3).epsilon(1e-9));
-  const Quatd turn = rotation_about({0.36, 0.48, 0.8}, 0.7);
-  for (Vec3d& v : corners) v = rotate(turn, v);
+  const Quatd orientation = rotation_about({0.36, 0.48, 0.8}, 0.7);
+  for (Vec3d& v : corners) v = rotate(orientation, v);
   CHECK(sieve_size(corners) == Approx(3).epsilon(2e-3));
   CHECK(sieve_size(corners) > 3 * (1 - 1e-9));  // a search from above
 }

@@ -15,7 +15,7 @@ TEST_CASE("Without a device the error says why and what to do", "[gpu]") {
   }
   std::string message;
   try {
-    make_cuda_dem(plain_scene(1e-6), Loads::single);
+    make_cuda_dem(plain_scene(1e-6), Precision::mixed);
   } catch (const NoDevice& error) {
     message = error.what();
   }
@@ -29,8 +29,8 @@ TEST_CASE("A device gives the bits of the CPU", "[gpu]") {
     WARN("skipped: " + cuda_device_report());
     return;
   }
-  const Loads loads = GENERATE(Loads::single, Loads::double_);
-  const Outcome cpu = break_rocks(*make_cpu_dem(breaking_scene(), loads, 2));
+  const Precision precision = GENERATE(Precision::mixed, Precision::double_);
+  const Outcome cpu = break_rocks(*make_cpu_dem(breaking_scene(), precision, 2));
   require_busy(cpu);
-  check_same(cpu, break_rocks(*make_cuda_dem(breaking_scene(), loads)));
+  check_same(cpu, break_rocks(*make_cuda_dem(breaking_scene(), precision)));
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/dem/dem_solver_impl.hpp"
-#include "core/exec/lanes.hpp"
 #include "core/exec/phase_timer.hpp"
+#include "core/kernels/bond_lane.hpp"
 
 #include <sys/mman.h>
 

@@ -21,14 +21,14 @@ Outcome on_mirror() {
 
 TEST_CASE("The host never touches device memory, and one lane gives the bits of packs", "[gpu]") {
   // Packs of bonds against single bonds, forward against backward, OpenMP against one thread.
-  const Loads loads = GENERATE(Loads::single, Loads::double_);
-  const Outcome cpu = break_rocks(*make_cpu_dem(breaking_scene(), loads, 2));
+  const Precision precision = GENERATE(Precision::mixed, Precision::double_);
+  const Outcome cpu = break_rocks(*make_cpu_dem(breaking_scene(), precision, 2));
   require_busy(cpu);
-  check_same(cpu, loads == Loads::single ? on_mirror<float>() : on_mirror<double>());
+  check_same(cpu, precision == Precision::mixed ? on_mirror<float>() : on_mirror<double>());
 }
 
 TEST_CASE("Bonds of one colour that share a particle are refused", "[gpu]") {
-  const auto dem = make_cpu_dem(breaking_scene(), Loads::single, 1);
+  const auto dem = make_cpu_dem(breaking_scene(), Precision::mixed, 1);
   std::vector<NewRock> rocks{lattice_rock(0, 3, 0.01, 0.004, 2600)};
   rocks[0].colour_begin = {0, static_cast<Index>(rocks[0].bonds.size())};
   CHECK_THROWS_AS(dem->insert(rocks), BadInput);

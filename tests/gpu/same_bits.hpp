@@ -24,9 +24,9 @@ inline bool same_breakages(const std::vector<Breakage>& a, const std::vector<Bre
 inline bool same_extremes(const std::vector<Extremes>& a, const std::vector<Extremes>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Extremes& x, const Extremes& y) {
     return x.finite == y.finite && x.culprit == y.culprit && x.overlap_ratio == y.overlap_ratio &&
-           x.speed_ratio == y.speed_ratio && x.turn == y.turn && x.partner == y.partner && x.wall == y.wall &&
-           x.fastest == y.fastest && x.spinner == y.spinner && x.bond_turn == y.bond_turn && x.twisted == y.twisted &&
-           x.wall_step == y.wall_step && x.fast_wall == y.fast_wall;
+           x.speed_ratio == y.speed_ratio && x.rotation == y.rotation && x.partner == y.partner && x.wall == y.wall &&
+           x.fastest == y.fastest && x.fastest_rotating == y.fastest_rotating && x.bond_rotation == y.bond_rotation &&
+           x.twisted == y.twisted && x.wall_step == y.wall_step && x.fast_wall == y.fast_wall;
   });
 }
 
@@ -36,7 +36,7 @@ inline void check_same(const Outcome& a, const Outcome& b) {
   CHECK(same_bytes(a.particles.fragment, b.particles.fragment));
   CHECK(same_bytes(a.particles.position, b.particles.position));
   CHECK(same_bytes(a.particles.velocity, b.particles.velocity));
-  CHECK(same_bytes(a.particles.spin, b.particles.spin));
+  CHECK(same_bytes(a.particles.angular_velocity, b.particles.angular_velocity));
   CHECK(same_bytes(a.particles.force, b.particles.force));
   CHECK(same_bytes(a.particles.radius, b.particles.radius));
   CHECK(same_bytes(a.particles.mass, b.particles.mass));

@@ -35,34 +35,34 @@ NewRock loaded_lattice(int n, double spacing, double shift, double strength) {
 
 TEST_CASE("H12 bonds that break with packed-in overlap release no more than they stored", "[hard]") {
   // Overlap of 1, 5 and 10 % of the radius, with and without load. Full contact forces would give 0.5 to 9.7 m/s.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double overlap = GENERATE(0.01, 0.05, 0.10), shift = GENERATE(0.0, 2e-6);
   const double dt = 5e-7;
   Scene scene = bond_scene(dt);
   scene.bonds->damping = 0;
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{loaded_lattice(4, 1 - overlap / 2, shift, 1e-8)};
   dem->insert(rocks);
   std::int64_t step = 0;
   run(*dem, dt, step, 1);
   const EnergyTerms start = dem->energy();
   const double stored = start.exchanged;  // nothing moved when they came
-  double fastest = 0, most = 0;
+  double fastest = 0, maximum = 0;
   for (int k = 0; k < 40; ++k) {
     run(*dem, dt, step, 100);
     for (const Vec3d& v : dem->particles().velocity) fastest = std::max(fastest, norm(v));
-    most = std::max(most, dem->energy().kinetic);
+    maximum = std::max(maximum, dem->energy().kinetic);
   }
-  INFO("overlap " << overlap << ": stored " << stored << " J, kinetic " << most << " J, fastest " << fastest);
+  INFO("overlap " << overlap << ": stored " << stored << " J, kinetic " << maximum << " J, fastest " << fastest);
   if (shift > 0) CHECK(dem->counts().bonds_intact == 0);
-  CHECK(most <= stored * (1 + 1e-6) + 1e-15);
+  CHECK(maximum <= stored * (1 + 1e-6) + 1e-15);
   CHECK(std::abs(dem->energy().residual()) <= 0.02 * stored + 1e-15);
 }
 
 TEST_CASE("H13 a bond over a gap that closes before it breaks leaves a continuous force", "[hard]") {
   // 1 to 5 % of the diameter between the surfaces; the pair is pressed together until the shear of its slow slide
   // breaks it.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double gap = GENERATE(0.01, 0.03, 0.05);
   const double dt = 2e-8;
   Scene scene = bond_scene(dt);
@@ -78,7 +78,7 @@ TEST_CASE("H13 a bond over a gap that closes before it breaks leaves a continuou
                     {1, {length, 0, 0}, {-speed, 0.3, 0}, {0, 0, 0}, d / 2, 2600}};
   rock.bonds = {{0, 1, length, d / 5, 1.0}};
   rock.colour_begin = {0, 1};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{rock};
   dem->insert(rocks);
   std::int64_t step = 0;
@@ -111,24 +111,24 @@ TEST_CASE("H13 a bond over a gap that closes before it breaks leaves a continuou
 
 TEST_CASE("H14 turning by up to 0.1 rad a step strains no bond", "[hard]") {
   // A pair that spins as a rigid body about an oblique axis, its bond stretched by what the centrifugal force needs.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double turn = GENERATE(1e-4, 1e-3, 1e-2, 0.05, 0.09);
-  const double dt = 1e-6, spin = turn / dt;
+  const double dt = 1e-6, angular_velocity = turn / dt;
   Scene scene = bond_scene(dt);
   scene.bonds->tensile_strength = scene.bonds->shear_strength = 1e30;
   NewRock rock;
   rock.id = 0;
   const double mass = sphere_mass(d / 2, 2600), stiffness = 1.67e12 * M_PI * d * d / 25;
   // m w2 L/2 = k (L - L0); a density that makes the stretch 1 %.
-  const double density = 2600 * 0.02 * stiffness / (mass * spin * spin) / 1.01;
+  const double density = 2600 * 0.02 * stiffness / (mass * angular_velocity * angular_velocity) / 1.01;
   const Vec3d axis{0.6, 0, 0.8}, along{0, 1, 0};
   const double length = 1.01 * d;
-  rock.particles = {{0, -0.5 * length * along, {0, 0, 0}, spin * axis, d / 2, density},
-                    {1, 0.5 * length * along, {0, 0, 0}, spin * axis, d / 2, density}};
-  for (NewParticle& p : rock.particles) p.velocity = cross(spin * axis, p.position);
+  rock.particles = {{0, -0.5 * length * along, {0, 0, 0}, angular_velocity * axis, d / 2, density},
+                    {1, 0.5 * length * along, {0, 0, 0}, angular_velocity * axis, d / 2, density}};
+  for (NewParticle& p : rock.particles) p.velocity = cross(angular_velocity * axis, p.position);
   rock.bonds = {{0, 1, d, d / 5, 1.0}};
   rock.colour_begin = {0, 1};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{rock};
   dem->insert(rocks);
   const double kinetic = dem->energy().kinetic;
@@ -139,28 +139,28 @@ TEST_CASE("H14 turning by up to 0.1 rad a step strains no bond", "[hard]") {
   const double stretch_energy = 0.5 * stiffness * 1e-4 * d * d;
   INFO("turn " << turn << ": kinetic " << e.kinetic / kinetic - 1 << ", bond " << e.bond_elastic / stretch_energy - 1);
   // Verlet's own orbit is off by (w dt)^2; the bond's strain adds nothing to that.
-  const double expected = std::max(2 * turn * turn, loads == Loads::double_ ? 1e-9 : 1e-6);
+  const double expected = std::max(2 * turn * turn, precision == Precision::double_ ? 1e-9 : 1e-6);
   CHECK(std::abs(e.kinetic / kinetic - 1) < expected);
   CHECK(std::abs(e.bond_elastic / stretch_energy - 1) < 60 * expected);
-  CHECK(dem->extremes().turn == Approx(turn).epsilon(0.01));
+  CHECK(dem->extremes().rotation == Approx(turn).epsilon(0.01));
 }
 
 TEST_CASE("H15 a bond twisted by more than it can be has no jump and is noted", "[hard]") {
   // Weak bonds fail at their strength, long before; one that no stress breaks passes the limit of its law.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const bool breakable = GENERATE(true, false);
-  const double dt = 1e-6, spin = 40;
+  const double dt = 1e-6, angular_velocity = 40;
   Scene scene = bond_scene(dt);
   scene.bonds->shear_stiffness = 1e7;  // so soft that the spin goes on
   if (!breakable) scene.bonds->tensile_strength = scene.bonds->shear_strength = 1e30;
   if (breakable) scene.bonds->shear_strength = 1e7 * 0.005 * 0.3;  // at 0.3 rad of twist
   NewRock rock;
   rock.id = 0;
-  rock.particles = {{0, {0, 0, 0}, {0, 0, 0}, {-spin, 0, 0}, d / 2, 2600},
-                    {1, {d, 0, 0}, {0, 0, 0}, {spin, 0, 0}, d / 2, 2600}};
+  rock.particles = {{0, {0, 0, 0}, {0, 0, 0}, {-angular_velocity, 0, 0}, d / 2, 2600},
+                    {1, {d, 0, 0}, {0, 0, 0}, {angular_velocity, 0, 0}, d / 2, 2600}};
   rock.bonds = {{0, 1, d, 0.005, 1.0}};
   rock.colour_begin = {0, 1};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{rock};
   dem->insert(rocks);
   std::int64_t step = 0;
@@ -168,8 +168,8 @@ TEST_CASE("H15 a bond twisted by more than it can be has no jump and is noted", 
   while (twist < 3 * M_PI && step < 400000) {
     run(*dem, dt, step, 500);
     const ParticleSnapshot s = dem->particles();
-    twist += (s.spin[1].x - s.spin[0].x) * 500 * dt;
-    if (noted < 0 && dem->extremes().bond_turn > scene.limits.bond_turn) noted = twist;
+    twist += (s.angular_velocity[1].x - s.angular_velocity[0].x) * 500 * dt;
+    if (noted < 0 && dem->extremes().bond_rotation > scene.limits.bond_rotation) noted = twist;
     const double energy = dem->energy().bond_elastic;
     if (step > 500) jump = std::max(jump, std::abs(energy - last));
     last = energy;
@@ -196,7 +196,7 @@ TEST_CASE("H16 a hundred thousand bonds that break in one step are all noted, on
   std::vector<Breakage> first;
   double first_energy = 0;
   for (const int threads : {1, 7}) {
-    const auto dem = make_cpu_dem(scene, Loads::single, threads);
+    const auto dem = make_cpu_dem(scene, Precision::mixed, threads);
     dem->insert(rocks);
     std::int64_t step = 0;
     run(*dem, scene.dt, step, 1);

@@ -41,13 +41,13 @@ TEST_CASE("H32 sixty-four threads give the bits of one", "[hard]") {
                            0.11 * Vec3d{k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0}, rotation_about({0, 0.6, 0.8}, k)));
   for (NewRock& r : rocks)
     for (NewParticle& p : r.particles) p.velocity = -60.0 * p.position;
-  const auto one = make_cpu_dem(scene, Loads::single, 1);
+  const auto one = make_cpu_dem(scene, Precision::mixed, 1);
   one->insert(rocks);
   std::int64_t step = 0;
   run(*one, scene.dt, step, 200);
   REQUIRE(one->counts().broken_tension + one->counts().broken_shear > 20);
   for (const int threads : {13, 64}) {
-    const auto many = make_cpu_dem(scene, Loads::single, threads);
+    const auto many = make_cpu_dem(scene, Precision::mixed, threads);
     many->insert(rocks);
     std::int64_t other = 0;
     run(*many, scene.dt, other, 200);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of contacts: fast impacts, wedges, dust in a closing gap, thousands of contacts under load.
-#include "app/ledger.hpp"
+#include "app/simulation/ledger.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/dem/scenes.hpp"
 
@@ -30,13 +30,13 @@ Scene wedge(double angle, double friction, double radius, double speed, double d
 }  // namespace
 
 TEST_CASE("H5 impacts of 10 to 100 m/s balance, and deep ones are flagged", "[hard]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double speed = GENERATE(10.0, 50.0, 100.0), restitution = GENERATE(1.0, 0.25);
   const double radius = 0.02;
   Scene scene = plain_scene(1e-7);
   scene.pairs.assign(4, {0.5, restitution, 0});
   scene.walls = {{"plate", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> one{sphere(0, {0, 0, radius * 1.001}, {0, 0, -speed}, radius, 2600)};
   dem->insert(one);
   const double kinetic = dem->energy().kinetic;
@@ -55,13 +55,13 @@ TEST_CASE("H5 impacts of 10 to 100 m/s balance, and deep ones are flagged", "[ha
 }
 
 TEST_CASE("H9 a wedge lets go of a sphere if and only if tan(alpha/2) > mu", "[hard]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double degrees = GENERATE(20.0, 30.0, 33.0, 34.0, 60.0, 90.0), friction = GENERATE(0.1, 0.3, 0.7);
   const double angle = degrees * M_PI / 180, radius = 0.02, limit = std::tan(angle / 2);
   if (std::abs(limit / friction - 1) < 0.01) return;
   const double speed = 0.2;
   const Scene scene = wedge(angle, friction, radius, speed, 1e-6);
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> one{sphere(0, {0, 0, 0}, {0, 0, 0}, radius, 2600)};
   dem->insert(one);
   std::int64_t step = 0;
@@ -89,35 +89,35 @@ TEST_CASE("H9 a wedge lets go of a sphere if and only if tan(alpha/2) > mu", "[h
 
 TEST_CASE("H8 H35 what a closing gap traps follows Hertz, gives back no more, or stops the run", "[hard]") {
   // A grain between plates 0.5 mm apart at the end (0.5 R pressed in at each side), 0.8 mm, and 0.15 mm.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double radius = GENERATE(0.0005, 0.025), left = GENERATE(0.8, 0.5, 0.15);  // of the diameter
   Scene scene = plain_scene(radius * 1e-5);
   scene.pairs.assign(4, {0.3, 1, 0});
   const double close = 2 * radius * (1 - left), speed = 0.5;
   scene.walls = {{"mantle", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1},
                  {"concave", PlaneShape{{0, 0, 2 * radius}, {0, 0, -1}}, LinearMotion{{0, 0, -speed}}, 1}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> one{sphere(3, {0, 0, radius}, {0, 0, 0}, radius, 2600)};
   dem->insert(one);
   Ledger ledger({.step = scene.limits}, {"mantle", "concave"});
   const int steps = 100;
   std::optional<std::string> verdict;
   std::int64_t step = 0;
-  double work = 0, most = 0;
+  double work = 0, maximum = 0;
   while (!verdict && static_cast<double>(step) * scene.dt * speed < close) {
     ledger.open(dem->energy());
     dem->advance({step, steps, scene.dt}, {});
     step += steps;
     verdict = ledger.close(static_cast<double>(step) * scene.dt, dem->energy(), dem->extremes());
     work += dem->wall_loads()[1].work;
-    most = std::max(most, norm(dem->wall_loads()[0].force));
+    maximum = std::max(maximum, norm(dem->wall_loads()[0].force));
   }
   const double overlap = speed * static_cast<double>(step) * scene.dt / 2;
   const double hertz = 4.0 / 3 * plane_modulus(scene.materials[0]) * std::sqrt(radius) * std::pow(overlap, 1.5);
-  INFO("closed by " << overlap / radius << " R a side: " << most << " N, Hertz " << hertz << ", "
+  INFO("closed by " << overlap / radius << " R a side: " << maximum << " N, Hertz " << hertz << ", "
                     << verdict.value_or("no word"));
-  CHECK(most < 1.1 * hertz);
-  CHECK(most > 0.8 * hertz);
+  CHECK(maximum < 1.1 * hertz);
+  CHECK(maximum > 0.8 * hertz);
   if (left < 0.2) {
     REQUIRE(verdict);
     CHECK(verdict->find("particle 3 with wall") != std::string::npos);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of the coupled machine: what is too hard or too large must block, stall and spring back, never pass.
-#include "app/device.hpp"
-#include "app/simulation.hpp"
+#include "app/simulation/device.hpp"
+#include "app/simulation/simulation.hpp"
 #include "core/base/errors.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
@@ -18,7 +18,7 @@ struct OneSphere {
   OneSphere(double diameter, const std::string& shear_modulus, const std::vector<std::string>& set = {})
       : input(made(diameter, shear_modulus, set)),
         assembly(assemble(input)),
-        simulation(input, assembly, make_dem(Device{}, assembly.scene, Loads::double_)) {}
+        simulation(input, assembly, make_dem(Device{}, assembly.scene, Precision::double_)) {}
 
   Case made(double diameter, const std::string& shear_modulus, const std::vector<std::string>& set) const {
     place.write("p.csv", "id,x,y,z,r\n1,-0.113,0,0.09," + std::to_string(diameter / 2) + "\n");

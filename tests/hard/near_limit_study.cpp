@@ -3,7 +3,7 @@
 // of the bonds alone and once with that of the guard, which adds the contacts of a dense bed.
 #include "tests/catch.hpp"
 
-#include "app/time_step.hpp"
+#include "app/simulation/time_step.hpp"
 #include "core/dem/make_dem.hpp"
 #include "core/rocks/library.hpp"
 #include "core/rocks/strength.hpp"
@@ -88,7 +88,7 @@ Outcome crush(Scene scene, const RockTemplate& from, std::uint64_t seed, double 
   scene.dt = dt;
   scene.walls = {{"top", PlaneShape{{0, 0, top}, {0, 0, -1}}, LinearMotion{{0, 0, -1}}, 1},
                  {"bottom", PlaneShape{{0, 0, bottom}, {0, 0, 1}}, LinearMotion{{0, 0, 1}}, 1}};
-  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
+  const auto dem = make_cpu_dem(scene, Precision::double_, 1);
   dem->insert(std::vector<NewRock>{rock});
   Outcome out;
   const int window = 100;

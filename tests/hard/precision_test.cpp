@@ -7,10 +7,10 @@ using namespace gyro;
 using namespace gyro::test;
 
 TEST_CASE("H23 slow spheres far from the origin move by what they should", "[hard]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double speed = GENERATE(1e-4, 0.01, 0.1, 0.238, 0.3, 0.5, 2.0), place = GENERATE(3.0, 1000.0);
   Scene scene = plain_scene(5e-7);
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> one{sphere(0, {place, -place, place}, {speed, speed, -speed}, 0.01, 2600)};
   dem->insert(one);
   std::int64_t step = 0;
@@ -23,10 +23,10 @@ TEST_CASE("H23 slow spheres far from the origin move by what they should", "[har
 }
 
 TEST_CASE("H24 free fall of 0.4 s gains g t to rounding", "[hard]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = plain_scene(5e-7);
   scene.gravity = {0, 0, -9.81};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> one{sphere(0, {0, 0, 3}, {0, 0, 0}, 0.01, 2600)};
   dem->insert(one);
   std::int64_t step = 0;
@@ -38,11 +38,11 @@ TEST_CASE("H24 free fall of 0.4 s gains g t to rounding", "[hard]") {
 
 TEST_CASE("H25 a small overlap far from the origin gives its force", "[hard]") {
   // The radii are what makes the overlap: the places are exact in binary.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double ratio = GENERATE(1e-6, 1e-5, 1e-3), place = GENERATE(0.0, 3.0, 30.0);
   Scene scene = plain_scene(1e-9);
   const double distance = 0.03125, radius = distance / (2 - ratio);
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> two{sphere(0, {place, place, place}, {0, 0, 0}, radius, 2600),
                                  sphere(1, {place + distance, place, place}, {0, 0, 0}, radius, 2600)};
   dem->insert(two);
@@ -53,12 +53,12 @@ TEST_CASE("H25 a small overlap far from the origin gives its force", "[hard]") {
   const double overlap = 2 * radius - distance;
   const double force = 4.0 / 3 * youngs * std::sqrt(radius / 2) * std::pow(overlap, 1.5);
   // An error of 1e-7 R in the overlap would be 1.5e-7/ratio of the force. Double places leave 1e-14 of it.
-  const double tolerance = (loads == Loads::double_ ? 1e-9 : 3e-7) + 1.5 * 4e-16 * (place + 1) / overlap;
+  const double tolerance = (precision == Precision::double_ ? 1e-9 : 3e-7) + 1.5 * 4e-16 * (place + 1) / overlap;
   CHECK(dem->particles().force[1].x == Approx(force).epsilon(tolerance));
 }
 
 TEST_CASE("H36 after 1e9 steps time is still steps times dt", "[hard]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const std::int64_t first = GENERATE(std::int64_t{100'000'000}, std::int64_t{20'000'000'000});
   const double dt = 3e-7;
   const Window late{first, 100, dt};
@@ -75,7 +75,7 @@ TEST_CASE("H36 after 1e9 steps time is still steps times dt", "[hard]") {
     p.velocity.z -= 400;
   }
   const std::vector<NewRock> rocks{rock};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   dem->insert(rocks);
   std::int64_t step = first;
   run(*dem, dt, step, 1000, 100);

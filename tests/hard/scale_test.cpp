@@ -20,7 +20,7 @@ double now() {
 /// What a step of a scene of loose spheres throws; empty if it does not.
 std::string refusal(const std::vector<NewRock>& spheres) {
   const Scene scene = plain_scene(1e-7);
-  const auto dem = make_cpu_dem(scene, Loads::single, 2);
+  const auto dem = make_cpu_dem(scene, Precision::mixed, 2);
   dem->insert(spheres);
   std::int64_t step = 0;
   try {
@@ -37,7 +37,7 @@ std::string refusal(const std::vector<NewRock>& spheres) {
 /// `large`, each size class filling the same share of the space.
 double seconds_per_pair(double small, double large, std::size_t count, double& pairs) {
   Scene scene = plain_scene(1e-9);
-  scene.neighbour_margin = 1e-4;
+  scene.neighbour_skin = 1e-4;
   std::vector<NewRock> spheres;
   // Shelves of cubic lattices, one a size class, side by side: neighbours of one class and of the next.
   const int classes = large > small ? 4 : 1;
@@ -53,7 +53,7 @@ double seconds_per_pair(double small, double large, std::size_t count, double& p
     }
     shelf += 2 * r * n;
   }
-  const auto dem = make_cpu_dem(scene, Loads::single, 1);
+  const auto dem = make_cpu_dem(scene, Precision::mixed, 1);
   double best = 1e300;
   for (int repeat = 0; repeat < 5; ++repeat) {
     if (repeat == 0) dem->insert(spheres);
@@ -107,7 +107,7 @@ TEST_CASE("H27 outliers a kilometre away cost a bed neither time nor memory", "[
         spheres.push_back(sphere(static_cast<ParticleId>(100'000 + k),
                                  1000.0 * Vec3d{k % 2 ? 1.0 : -1.0, k / 2 % 2 ? 1.0 : -0.7, k / 4 ? 0.3 : -1.0},
                                  {0, 0, 0}, k == 3 ? 0.3 : 0.01, 2600));
-    const auto dem = make_cpu_dem(scene, Loads::single, 1);
+    const auto dem = make_cpu_dem(scene, Precision::mixed, 1);
     dem->insert(spheres);
     double best = 1e300;
     for (int repeat = 0; repeat < 5; ++repeat) {
@@ -127,10 +127,10 @@ TEST_CASE("H27 H30 one sphere that is nowhere neither slows the search nor moves
   const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200);
   Scene scene = plain_scene(1e-6);
   std::vector<NewRock> spheres = cloud(40, 40, 40, 0.0205, 0.01, 0.1);
-  const auto clean = make_cpu_dem(scene, Loads::single, 1);
+  const auto clean = make_cpu_dem(scene, Precision::mixed, 1);
   clean->insert(spheres);
   spheres.push_back(sphere(100'000, {0.1, bad, 0}, {0, 0, 0}, 0.01, 2600));
-  const auto dem = make_cpu_dem(scene, Loads::single, 1);
+  const auto dem = make_cpu_dem(scene, Precision::mixed, 1);
   dem->insert(spheres);
   std::int64_t step = 0, other = 0;
   const double begin = now();
@@ -157,17 +157,17 @@ TEST_CASE("H28 the search costs as much a pair for sizes of 1:60 as for one size
 
 TEST_CASE("H29 lists that went stale are rebuilt by way, of spheres and of walls", "[hard]") {
   // A bullet through a margin many times its own, and a plate that comes from far: margins change no bit.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const auto outcome = [&](double margin) {
     Scene scene = plain_scene(2e-6);
-    scene.neighbour_margin = margin;
+    scene.neighbour_skin = margin;
     scene.walls = {
         {"plate", PlaneShape{{0, 0, -0.3}, {0, 0, 1}}, LinearMotion{{0, 0, 20}}, 1},
         {"paddle", MeshShape{{{0.4, -1, -1}, {0.4, 1, -1}, {0.4, 1, 1}, {0.4, -1, 1}}, {{0, 1, 2}, {0, 2, 3}}},
          RotationMotion{{0, 0, 1}, {0, 0, 0}, 40}, 1}};
     std::vector<NewRock> spheres = cloud(8, 8, 8, 0.025, 0.0115, 0);
     spheres.push_back(sphere(9000, {-0.5, 0.003, 0.004}, {100, 0, 0}, 0.01, 7000));
-    const auto dem = make_cpu_dem(scene, loads, 1);
+    const auto dem = make_cpu_dem(scene, precision, 1);
     dem->insert(spheres);
     std::int64_t step = 0;
     run(*dem, scene.dt, step, 8000, 8000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases that the program must refuse before the first step: overlaps that explode, rock in or behind walls.
-#include "app/start_check.hpp"
+#include "app/simulation/start_check.hpp"
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/dem/scenes.hpp"

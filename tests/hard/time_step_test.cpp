@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of the time step: what the guard promises is what the engine does.
-#include "app/time_step.hpp"
-#include "app/ledger.hpp"
+#include "app/simulation/time_step.hpp"
+#include "app/simulation/ledger.hpp"
 #include "core/rocks/bonds.hpp"
 #include "core/rocks/fill.hpp"
 #include "core/rocks/stability.hpp"
@@ -84,7 +84,7 @@ RockTemplate graded_rock() {
 }
 
 /// How far the energy of a hardly shaken rock grows in the engine, whose bonds hold whatever they bear.
-double growth(const RockTemplate& shape, double damping, double dt, Loads loads, int steps) {
+double growth(const RockTemplate& shape, double damping, double dt, Precision precision, int steps) {
   Scene scene = plain_scene(dt);
   scene.materials[0].shear_modulus = 1;  // what is not bonded may overlap
   scene.bonds = paper_bonds();
@@ -93,9 +93,9 @@ double growth(const RockTemplate& shape, double damping, double dt, Loads loads,
   std::vector<NewRock> rocks{as_rock(shape)};
   for (NewParticle& p : rocks[0].particles) {
     p.velocity = 1e-3 * random_vector(p.id, 20);
-    p.spin = 0.1 * random_vector(p.id, 30);
+    p.angular_velocity = 0.1 * random_vector(p.id, 30);
   }
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   dem->insert(rocks);
   const double begin = dem->energy().kinetic;
   std::int64_t step = 0;
@@ -117,13 +117,13 @@ BondParameters bonds_with(double damping) {
 }  // namespace
 
 TEST_CASE("H1 H2 the engine is stable below the guard's limit and unstable above it, whatever the damping", "[hard]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double damping = GENERATE(0.0, 0.05, 0.2, 0.5);
   const RockTemplate rock = mono_rock();
   const double limit = critical_step(rock, bonds_with(damping), {});
   INFO(rock.centres.size() << " particles, damping " << damping << ": limit " << limit * 1e6 << " us");
-  for (const double factor : {0.9, 0.99}) CHECK(growth(rock, damping, factor * limit, loads, 4000) < 1.5);
-  for (const double factor : {1.01, 1.1, 2.0}) CHECK(growth(rock, damping, factor * limit, loads, 4000) > 1e6);
+  for (const double factor : {0.9, 0.99}) CHECK(growth(rock, damping, factor * limit, precision, 4000) < 1.5);
+  for (const double factor : {1.01, 1.1, 2.0}) CHECK(growth(rock, damping, factor * limit, precision, 4000) > 1e6);
 }
 
 TEST_CASE("H2 damping lowers the limit to what was measured on another rock", "[hard]") {
@@ -137,7 +137,7 @@ TEST_CASE("H2 damping lowers the limit to what was measured on another rock", "[
 }
 
 TEST_CASE("H3 H4 slivers and mixed grains set the limit, in the engine too", "[hard]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const bool sliver = GENERATE(true, false);
   const double damping = GENERATE(0.0, 0.2);
   const RockTemplate rock = sliver ? star() : graded_rock();
@@ -147,8 +147,8 @@ TEST_CASE("H3 H4 slivers and mixed grains set the limit, in the engine too", "[h
                                     << limit * 1e6 << " us, Gershgorin " << quick * 1e6 << " us");
   CHECK(limit < 3e-6);
   CHECK(quick <= limit);
-  CHECK(growth(rock, damping, 0.98 * limit, loads, 2000) < 2);
-  CHECK(growth(rock, damping, 1.02 * limit, loads, 6000) > 1e6);
+  CHECK(growth(rock, damping, 0.98 * limit, precision, 2000) < 2);
+  CHECK(growth(rock, damping, 1.02 * limit, precision, 6000) > 1e6);
 }
 
 TEST_CASE("H1 the densest bed runs in balance at the step that the program chooses, or is stopped", "[hard]") {
@@ -172,26 +172,26 @@ TEST_CASE("H1 the densest bed runs in balance at the step that the program choos
       }
   const double half = 0.5 * edge * (n - 0.5) + (1 - 0.5 * overlap) * radius;
   scene.walls = box({half, half, half});
-  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
+  const auto dem = make_cpu_dem(scene, Precision::double_, 1);
   dem->insert(spheres);
   Ledger ledger({.step = scene.limits});
   std::optional<std::string> verdict;
-  double stored = 0, most = 0, worst = 0;
+  double stored = 0, maximum = 0, worst = 0;
   for (int k = 0; k < 20 && !verdict; ++k) {
     ledger.open(dem->energy());
     dem->advance({50 * k, 50, scene.dt}, {});
     const EnergyTerms e = dem->energy();
     stored = e.exchanged;
-    most = std::max(most, e.kinetic + e.contact_elastic);
+    maximum = std::max(maximum, e.kinetic + e.contact_elastic);
     worst = std::max(worst, std::abs(e.residual()));
     verdict = ledger.close((k + 1) * 50 * scene.dt, e, dem->extremes());
   }
-  INFO("overlap " << overlap << ", restitution " << restitution << ": most " << most / stored << ", residual "
+  INFO("overlap " << overlap << ", restitution " << restitution << ": most " << maximum / stored << ", residual "
                   << worst / stored << " of what was stored; " << verdict.value_or("no word"));
   if (verdict) {
     CHECK(overlap >= 0.05);
   } else {
-    CHECK(most < 1.02 * stored);
+    CHECK(maximum < 1.02 * stored);
     CHECK(worst < 0.05 * stored);
   }
 }

@@ -51,9 +51,9 @@ struct Outcome {
   std::vector<WallImpulse> impulses;
 };
 
-Outcome outcome(const Scene& scene, Loads loads, int threads, const std::vector<NewRock>& rocks, int steps = 300,
-                int window = 100) {
-  const auto dem = make_cpu_dem(scene, loads, threads);
+Outcome outcome(const Scene& scene, Precision precision, int threads, const std::vector<NewRock>& rocks,
+                int steps = 300, int window = 100) {
+  const auto dem = make_cpu_dem(scene, precision, threads);
   dem->insert(rocks);
   std::int64_t step = 0;
   run(*dem, dt, step, steps, window);
@@ -63,7 +63,7 @@ Outcome outcome(const Scene& scene, Loads loads, int threads, const std::vector<
 
 bool same_loads(const std::vector<WallLoad>& a, const std::vector<WallLoad>& b) {
   for (std::size_t w = 0; w < a.size(); ++w)
-    if (!same(a[w].force, b[w].force) || !same(a[w].moment, b[w].moment) || a[w].work != b[w].work) return false;
+    if (!same(a[w].force, b[w].force) || !same(a[w].torque, b[w].torque) || a[w].work != b[w].work) return false;
   return a.size() == b.size();
 }
 
@@ -93,52 +93,52 @@ void check_same(const Outcome& a, const Outcome& b) {
 }  // namespace
 
 TEST_CASE("Threads change no bit", "[dem][bits]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
-  const Outcome one = outcome(busy_scene(), loads, 1, busy_rocks(), 150);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
+  const Outcome one = outcome(busy_scene(), precision, 1, busy_rocks(), 150);
   REQUIRE(one.breakages.size() > 20);
   REQUIRE(one.particles.size() > 1400);
   REQUIRE(norm(one.walls[4].force) > 0);
   for (const int threads : {2, 3, 7}) {
     INFO(threads << " threads");
-    const Outcome other = outcome(busy_scene(), loads, threads, busy_rocks(), 150);
+    const Outcome other = outcome(busy_scene(), precision, threads, busy_rocks(), 150);
     check_same(one, other);
     CHECK(one.residual == other.residual);
   }
 }
 
 TEST_CASE("The margin of the neighbour lists changes no bit", "[dem][bits]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = busy_scene();
-  const Outcome automatic = outcome(scene, loads, 1, busy_rocks(3));
+  const Outcome automatic = outcome(scene, precision, 1, busy_rocks(3));
   REQUIRE(automatic.impulses.size() > 100);
   for (const double margin : {2e-5, 3e-3, 2e-2}) {
     INFO("margin " << margin);
-    scene.neighbour_margin = margin;
-    const Outcome other = outcome(scene, loads, 1, busy_rocks(3));
+    scene.neighbour_skin = margin;
+    const Outcome other = outcome(scene, precision, 1, busy_rocks(3));
     check_same(automatic, other);
     CHECK(automatic.residual == other.residual);
   }
 }
 
 TEST_CASE("The order of arrival changes no bit", "[dem][bits]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   std::vector<NewRock> rocks = busy_rocks(3);
-  const Outcome given = outcome(busy_scene(), loads, 1, rocks);
+  const Outcome given = outcome(busy_scene(), precision, 1, rocks);
   std::reverse(rocks.begin(), rocks.end());
-  check_same(given, outcome(busy_scene(), loads, 1, rocks));
+  check_same(given, outcome(busy_scene(), precision, 1, rocks));
   for (std::size_t k = 0; k < rocks.size(); ++k) std::swap(rocks[k], rocks[(7 * k + 3) % rocks.size()]);
-  check_same(given, outcome(busy_scene(), loads, 1, rocks));
+  check_same(given, outcome(busy_scene(), precision, 1, rocks));
 }
 
 TEST_CASE("The length of windows changes no bit of the rock", "[dem][bits]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
-  const Outcome a = outcome(busy_scene(), loads, 1, busy_rocks(3), 400, 400);
-  const Outcome b = outcome(busy_scene(), loads, 1, busy_rocks(3), 400, 7);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
+  const Outcome a = outcome(busy_scene(), precision, 1, busy_rocks(3), 400, 400);
+  const Outcome b = outcome(busy_scene(), precision, 1, busy_rocks(3), 400, 7);
   CHECK(same_bits(a.particles, b.particles));
 }
 
 TEST_CASE("Rock that leaves changes no bit of rock that it does not touch", "[dem][bits]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const auto far_sphere = [](ParticleId id) {
     return sphere(id, {5, 0, 0.05 * double(id - 16000)}, {0, 0, 0}, 0.01, 2600);
   };
@@ -151,7 +151,7 @@ TEST_CASE("Rock that leaves changes no bit of rock that it does not touch", "[de
   }
   Scene scene = busy_scene();
   scene.walls.erase(scene.walls.begin(), scene.walls.begin() + 2);  // far rock is outside the box
-  const auto alone = make_cpu_dem(scene, loads, 1), visited = make_cpu_dem(scene, loads, 1);
+  const auto alone = make_cpu_dem(scene, precision, 1), visited = make_cpu_dem(scene, precision, 1);
   alone->insert(rocks);
   visited->insert(more);
   std::int64_t step = 0, other_step = 0;

@@ -32,10 +32,10 @@ Scene bond_scene(double dt) {
 }  // namespace
 
 TEST_CASE("A bond torn apart releases what it stored", "[dem][bond]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double v = 2, dt = 2e-8, strength = GENERATE(0.5, 1.0);
   Scene scene = bond_scene(dt);
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{pair_of(d, {-v, 0, 0}, {v, 0, 0}, strength)};
   dem->insert(rocks);
   const double kinetic = dem->energy().kinetic;
@@ -63,10 +63,10 @@ TEST_CASE("A bond torn apart releases what it stored", "[dem][bond]") {
 }
 
 TEST_CASE("Shear failure in compression leaves the normal force as it is", "[dem][bond]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 2e-8;
   Scene scene = bond_scene(dt);
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{pair_of(d, {0.5, -2, 0}, {-0.5, 2, 0}, 0.5)};
   dem->insert(rocks);
   std::int64_t step = 0;
@@ -95,16 +95,16 @@ TEST_CASE("Shear failure in compression leaves the normal force as it is", "[dem
 
 TEST_CASE("A pair that came apart touches as spheres do, before lists are rebuilt", "[dem][bond][contact]") {
   // Sheared apart while pressed, or torn; the right one rebounds from a wall and hits the left one.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const bool torn = GENERATE(true, false);
   const double dt = 2e-7;
   Scene scene = bond_scene(dt);
   scene.pairs.assign(4, {0, 1, 0});
   scene.bonds->tensile_strength = torn ? 1e3 : 1e12;
   scene.bonds->shear_strength = torn ? 1e12 : 1e3;
-  scene.neighbour_margin = 0.1;
+  scene.neighbour_skin = 0.1;
   scene.walls = {{"right", PlaneShape{{1.5 * d + 1e-4, 0, 0}, {-1, 0, 0}}, Fixed{}, 1}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const Vec3d v_j = torn ? Vec3d{2, 0, 0} : Vec3d{-2, 1e-3, 0};
   const std::vector<NewRock> rocks{pair_of(d, {0, 0, 0}, v_j)};
   dem->insert(rocks);
@@ -139,7 +139,7 @@ TEST_CASE("A pair that came apart touches as spheres do, before lists are rebuil
 TEST_CASE("Breaking every bond at once without load sets nothing in motion", "[dem][bond]") {
   // Packed with overlap, touching, or with gaps: full contact forces at 10 % overlap of the radius
   // would throw the spheres apart at metres per second.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double spacing = GENERATE(0.95, 1.0, 1.02);
   const double dt = 5e-7, speed = 1e-5;
   Scene scene = bond_scene(dt);
@@ -153,7 +153,7 @@ TEST_CASE("Breaking every bond at once without load sets nothing in motion", "[d
     b.length = spacing * d;
     b.strength = 1e-8;
   }
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{rock};
   dem->insert(rocks);
   const double kinetic = dem->energy().kinetic;

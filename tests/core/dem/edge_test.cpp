@@ -39,14 +39,14 @@ double error_of_forces(const Dem& dem, const Material& m) {
 TEST_CASE("Every contact is found between sizes of 1:60", "[dem][search]") {
   const double margin = GENERATE(0.0, 0.01);
   Scene scene = plain_scene(1e-9);
-  scene.neighbour_margin = margin;
+  scene.neighbour_skin = margin;
   std::vector<NewRock> spheres;
   for (ParticleId k = 0; k < 900; ++k) {
     const double radius = k < 6 ? 0.25 : 0.0042 * std::pow(20, 0.5 + 0.5 * random_number(k, 8));
     const Vec3d at = random_vector(k, 0);
     spheres.push_back(sphere(k, k < 6 ? 0.8 * at : at, {0, 0, 0}, radius, 2600));
   }
-  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
+  const auto dem = make_cpu_dem(scene, Precision::double_, 1);
   dem->insert(spheres);
   std::int64_t step = 0;
   run(*dem, scene.dt, step, 1);
@@ -58,7 +58,7 @@ TEST_CASE("A sphere a kilometre away hides no contact", "[dem][search]") {
   std::vector<NewRock> spheres = cloud(10, 10, 10, 0.02, 0.0099, 0);
   for (NewRock& s : spheres) s.particles[0].radius = 0.0102;
   spheres.push_back(sphere(5000, {1000, -700, 400}, {0, 0, 0}, 0.01, 2600));
-  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
+  const auto dem = make_cpu_dem(scene, Precision::double_, 1);
   dem->insert(spheres);
   std::int64_t step = 0;
   run(*dem, scene.dt, step, 1);
@@ -71,7 +71,7 @@ TEST_CASE("Empty scenes and lone spheres run", "[dem][edge]") {
   scene.gravity = {0, 0, -10};
   if (with_bonds) scene.bonds = paper_bonds();
   if (with_bonds) scene.walls = box({1, 1, 1});
-  const auto dem = make_cpu_dem(scene, Loads::single, 2);
+  const auto dem = make_cpu_dem(scene, Precision::mixed, 2);
   std::int64_t step = 0;
   CHECK(dem->energy().residual() == 0);
   run(*dem, scene.dt, step, 100);
@@ -97,13 +97,13 @@ TEST_CASE("Empty scenes and lone spheres run", "[dem][edge]") {
 }
 
 TEST_CASE("What is not finite is named and stays alone", "[dem][edge]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   Scene scene = plain_scene(1e-5);
   scene.walls = box({0.1, 0.1, 0.1});
   std::vector<NewRock> spheres = cloud(4, 4, 4, 0.03, 0.012, 0.5);
   spheres[37].particles[0].velocity.y = bad;
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   CHECK(dem->extremes().finite);
   dem->insert(spheres);
   std::int64_t step = 0;
@@ -113,14 +113,14 @@ TEST_CASE("What is not finite is named and stays alone", "[dem][edge]") {
   CHECK(x.culprit == 37);
   const ParticleSnapshot s = dem->particles();
   for (std::size_t k = 0; k < s.size(); ++k)
-    if (k != 37) CHECK(std::isfinite(norm2(s.position[k]) + norm2(s.velocity[k]) + norm2(s.spin[k])));
+    if (k != 37) CHECK(std::isfinite(norm2(s.position[k]) + norm2(s.velocity[k]) + norm2(s.angular_velocity[k])));
 }
 
 TEST_CASE("Spheres that touch to the last bit have no overlap and no energy", "[dem][edge]") {
   // (3, 4, 5): the squared distance rounds below the squared sum of the radii, the distance does not.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = plain_scene(1e-6);
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> two{sphere(0, {0, 0, 0}, {0, 0, 0}, 0.005, 2600),
                                  sphere(1, {0.006, 0.008, 0}, {0, 0, 0}, 0.005, 2600)};
   dem->insert(two);

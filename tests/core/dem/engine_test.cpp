@@ -16,21 +16,22 @@ double kinetic_and_elastic(const Dem& dem) {
 Vec3d angular_momentum(const ParticleSnapshot& s) {
   Vec3d l{0, 0, 0};
   for (std::size_t k = 0; k < s.size(); ++k)
-    l += s.mass[k] * cross(s.position[k], s.velocity[k]) + 0.4 * s.mass[k] * s.radius[k] * s.radius[k] * s.spin[k];
+    l += s.mass[k] * cross(s.position[k], s.velocity[k]) +
+         0.4 * s.mass[k] * s.radius[k] * s.radius[k] * s.angular_velocity[k];
   return l;
 }
 
 }  // namespace
 
 TEST_CASE("A free spinning rock neither heats nor drifts", "[dem][bond]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double d = 0.025, dt = 2e-6;
   Scene scene = plain_scene(dt);
   scene.bonds = paper_bonds();
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   std::vector<NewRock> rocks{lattice_rock(0, 4, d, d / 4, 2600)};
-  const Vec3d spin = GENERATE(Vec3d{30, 60, 80}, Vec3d{0.3, 0.6, 0.8});
-  set_rigid_motion(rocks[0], {1, 2, 3}, spin);
+  const Vec3d angular_velocity = GENERATE(Vec3d{30, 60, 80}, Vec3d{0.3, 0.6, 0.8});
+  set_rigid_motion(rocks[0], {1, 2, 3}, angular_velocity);
   dem->insert(rocks);
   std::int64_t step = 0;
   run(*dem, dt, step, 1);
@@ -38,7 +39,7 @@ TEST_CASE("A free spinning rock neither heats nor drifts", "[dem][bond]") {
   const double e0 = kinetic_and_elastic(*dem);
   run(*dem, dt, step, 20000);
   const ParticleSnapshot s = dem->particles();
-  const double tolerance = loads == Loads::double_ ? 1e-12 : 1e-6;
+  const double tolerance = precision == Precision::double_ ? 1e-12 : 1e-6;
   CHECK(norm(angular_momentum(s) - l0) / norm(l0) < tolerance);
   CHECK(norm(dem->momentum() - p0) / norm(p0) < tolerance);
   CHECK(std::abs(kinetic_and_elastic(*dem) / e0 - 1) < 2e-6);
@@ -50,7 +51,7 @@ TEST_CASE("A wave runs along a bar of bonded spheres", "[dem][bond]") {
   Scene scene = plain_scene(dt);
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0;
-  const auto dem = make_cpu_dem(scene, Loads::double_, 1);
+  const auto dem = make_cpu_dem(scene, Precision::double_, 1);
   // Axial wave: a bar of spheres, the first is hit; the front runs at L sqrt(kn A/m).
   NewRock bar;
   bar.id = 0;

@@ -16,7 +16,7 @@ struct Crush {
 };
 
 /// A rock of 64 spheres between two plates that close at 2 m/s together.
-Crush crush(Loads loads, double dt) {
+Crush crush(Precision precision, double dt) {
   Scene scene = plain_scene(dt);
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
   scene.rolling = true;
@@ -31,7 +31,7 @@ Crush crush(Loads loads, double dt) {
   for (const NewParticle& p : rocks[0].particles) top = std::max(top, std::abs(p.position.z) + p.radius);
   scene.walls = {{"top", PlaneShape{{0, 0, top}, {0, 0, -1}}, LinearMotion{{0, 0, -1}}, 1},
                  {"bottom", PlaneShape{{0, 0, -top}, {0, 0, 1}}, LinearMotion{{0, 0, 1}}, 1}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   dem->insert(rocks);
   std::int64_t step = 0;
   run(*dem, dt, step, std::llround(0.008 / dt));
@@ -42,8 +42,8 @@ Crush crush(Loads loads, double dt) {
 }  // namespace
 
 TEST_CASE("The energies of a crushed rock add up to the work of the plates", "[dem][ledger]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
-  const Crush coarse = crush(loads, 2e-6), fine = crush(loads, 2.5e-7);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
+  const Crush coarse = crush(precision, 2e-6), fine = crush(precision, 2.5e-7);
   for (const Crush& c : {coarse, fine}) {
     INFO("residual " << c.residual / c.work << " of " << c.work << " J, " << c.broken << " bonds");
     REQUIRE(c.broken > 20);
@@ -55,13 +55,13 @@ TEST_CASE("The energies of a crushed rock add up to the work of the plates", "[d
 }
 
 TEST_CASE("Walls feel the opposite of what the rock feels", "[dem][ledger]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = plain_scene(5e-6);
   scene.pairs.assign(4, {0.4, 0.3, 0.01});
   scene.rolling = true;
   scene.walls = box({0.0445, 0.0445, 0.0445});
   scene.walls[0].motion = LinearMotion{{1, 0, 0}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   dem->insert(cloud(3, 3, 3, 0.029, 0.014, 3.0));
   std::int64_t step = 0;
   run(*dem, scene.dt, step, 300);
@@ -77,11 +77,11 @@ TEST_CASE("Walls feel the opposite of what the rock feels", "[dem][ledger]") {
   REQUIRE(largest > 0.1);
   const Vec3d gained = dem->momentum() - p0;
   const double time = steps * scene.dt;
-  CHECK(norm(gained + time * walls) < (loads == Loads::double_ ? 1e-10 : 1e-6) * largest * time);
+  CHECK(norm(gained + time * walls) < (precision == Precision::double_ ? 1e-10 : 1e-6) * largest * time);
 }
 
 TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][walls]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 5e-6;
   MeshShape mesh{{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   ProfileShape profile{{{0, 0}, {0.7, 0}, {3, 0}}};
@@ -96,7 +96,7 @@ TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][w
     if (kind == 1) floor.shape = mesh;
     if (kind == 2) floor.shape = profile;
     scene.walls = {floor};
-    const auto dem = make_cpu_dem(scene, loads, 1);
+    const auto dem = make_cpu_dem(scene, precision, 1);
     const std::vector<NewRock> spheres{sphere(0, {0.3, 0.2, 0.0101}, {1, -0.4, -0.5}, 0.01, 2600, {5, 6, 7}),
                                        sphere(1, {-0.5, 0.2, 0.0202}, {0.1, 0.4, -0.1}, 0.02, 2600),
                                        sphere(2, {0.5, 0.9, 0.0100}, {-1, -1, -0.2}, 0.01, 2600)};
@@ -112,7 +112,7 @@ TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][w
     for (std::size_t k = 0; k < s.size(); ++k) {
       CHECK(norm(s.position[k] - first.position[k]) < 1e-12);
       CHECK(norm(s.velocity[k] - first.velocity[k]) < 1e-11);
-      CHECK(norm(s.spin[k] - first.spin[k]) < 1e-8);
+      CHECK(norm(s.angular_velocity[k] - first.angular_velocity[k]) < 1e-8);
     }
     CHECK(norm(dem->wall_loads()[0].force - first_load.force) < 1e-9 * norm(first_load.force));
   }
@@ -120,13 +120,13 @@ TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][w
 
 TEST_CASE("A smooth sphere swings in a horizontal tube as a pendulum", "[dem][walls]") {
   // The tube is a profile about z, gravity points along -x: a pendulum of length tube - radius.
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 1e-5, tube = 0.1, radius = 0.02, g = 9.81, angle = 0.05;
   Scene scene = plain_scene(dt);
   scene.gravity = {-g, 0, 0};
   scene.pairs.assign(4, {0, 0.5, 0});
   scene.walls = {{"tube", ProfileShape{{{tube, -1}, {tube, 1}}}, Fixed{}, 1}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   const double length = tube - radius;
   const std::vector<NewRock> one{
       sphere(0, {-length * std::cos(angle), length * std::sin(angle), 0.1}, {0, 0, 0}, radius, 2600)};
@@ -148,14 +148,14 @@ TEST_CASE("A smooth sphere swings in a horizontal tube as a pendulum", "[dem][wa
 }
 
 TEST_CASE("Work of a gyrating mantle is its torque times its speed, and the ledger has it", "[dem][ledger][walls]") {
-  const Loads loads = GENERATE(Loads::double_, Loads::single);
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 5e-6, speed = 60;
   Scene scene = plain_scene(dt);
   scene.pairs.assign(4, {0.3, 0.5, 0});
   const GyrationMotion gyration{0.02, 2.0, 0};
   scene.walls = {{"mantle", ProfileShape{{{0.10, 0.3}, {0.12, -0.3}}}, gyration, 1},
                  {"concave", ProfileShape{{{0.17, -0.3}, {0.17, 0.3}}}, Fixed{}, 1}};
-  const auto dem = make_cpu_dem(scene, loads, 1);
+  const auto dem = make_cpu_dem(scene, precision, 1);
   std::vector<NewRock> spheres;
   for (int k = 0; k < 12; ++k) {
     const double a = 2 * M_PI * k / 12;
@@ -170,7 +170,7 @@ TEST_CASE("Work of a gyrating mantle is its torque times its speed, and the ledg
     const Window window{k * 200, 200, dt};
     dem->advance(window, {speed * window.begin(), speed, sigma * window.begin(), sigma});
     const WallLoad load = dem->wall_loads()[0];
-    CHECK(load.work == Approx(-load.moment.z * speed * window.length()).margin(1e-9));
+    CHECK(load.work == Approx(-load.torque.z * speed * window.length()).margin(1e-9));
     work += load.work;
     biggest = std::max(biggest, std::abs(load.work));
   }

@@ -45,10 +45,10 @@ class Restarting final : public Dem {
   std::unique_ptr<Dem> dem_;
 };
 
-Make on_cpu(Loads loads, int threads, int hold = 1) {
+Make on_cpu(Precision precision, int threads, int hold = 1) {
   Scene scene = breaking_scene();
-  scene.hold = hold;
-  return [=] { return make_cpu_dem(scene, loads, threads); };
+  scene.substeps = hold;
+  return [=] { return make_cpu_dem(scene, precision, threads); };
 }
 
 template <class Real>
@@ -64,8 +64,8 @@ bool same_columns(const SavedState& a, const SavedState& b) {
 }
 
 /// The scene amid its breaking.
-std::unique_ptr<Dem> busy(Loads loads) {
-  auto dem = on_cpu(loads, 1)();
+std::unique_ptr<Dem> busy(Precision precision) {
+  auto dem = on_cpu(precision, 1)();
   dem->insert(falling_rocks(0, 0, 0.045));
   std::int64_t step = 0;
   run(*dem, breaking_dt, step, 3000, 150);
@@ -75,11 +75,11 @@ std::unique_ptr<Dem> busy(Loads loads) {
 }  // namespace
 
 TEST_CASE("A run restarted before every window has the bits of one that was not", "[dem][bits]") {
-  const Loads loads = GENERATE(Loads::single, Loads::double_);
+  const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   const int hold = GENERATE(1, 3);
-  const Outcome whole = break_rocks(*on_cpu(loads, 1, hold)());
+  const Outcome whole = break_rocks(*on_cpu(precision, 1, hold)());
   require_busy(whole);
-  Restarting restarting({on_cpu(loads, 1, hold), on_cpu(loads, 2, hold)});
+  Restarting restarting({on_cpu(precision, 1, hold), on_cpu(precision, 2, hold)});
   Outcome parts = break_rocks(restarting);
   CHECK(parts.counts.rebuilds > whole.counts.rebuilds);  // neighbours are found anew: that changes no bit
   parts.counts.rebuilds = whole.counts.rebuilds;
@@ -87,10 +87,11 @@ TEST_CASE("A run restarted before every window has the bits of one that was not"
 }
 
 TEST_CASE("A saved state goes on with the same bits on another executor", "[dem][bits]") {
-  const Loads loads = GENERATE(Loads::single, Loads::double_);
+  const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   DeviceMemory::instance().forget();
-  const SavedState saved = busy(loads)->save();
-  const auto cpu = on_cpu(loads, 1)(), mirror = loads == Loads::single ? on_mirror<float>() : on_mirror<double>();
+  const SavedState saved = busy(precision)->save();
+  const auto cpu = on_cpu(precision, 1)(),
+             mirror = precision == Precision::mixed ? on_mirror<float>() : on_mirror<double>();
   for (Dem* dem : {cpu.get(), mirror.get()}) {
     dem->restore(saved);
     std::int64_t step = 3000;
@@ -100,8 +101,8 @@ TEST_CASE("A saved state goes on with the same bits on another executor", "[dem]
 }
 
 TEST_CASE("What is restored says and saves the same as what was saved", "[dem]") {
-  const Loads loads = GENERATE(Loads::single, Loads::double_);
-  const auto before = busy(loads), after = on_cpu(loads, 1)();
+  const Precision precision = GENERATE(Precision::mixed, Precision::double_);
+  const auto before = busy(precision), after = on_cpu(precision, 1)();
   const SavedState saved = before->save();
   after->restore(saved);
   REQUIRE(saved.get<Pair>("contacts/pair").size() > 5);
@@ -116,9 +117,9 @@ TEST_CASE("What is restored says and saves the same as what was saved", "[dem]")
 }
 
 TEST_CASE("A state of the other precision, or with a column missing or short, is refused", "[dem]") {
-  SavedState saved = busy(Loads::single)->save();
-  CHECK_THROWS_AS(on_cpu(Loads::double_, 1)()->restore(saved), BadInput);
-  const auto dem = on_cpu(Loads::single, 1)();
+  SavedState saved = busy(Precision::mixed)->save();
+  CHECK_THROWS_AS(on_cpu(Precision::double_, 1)()->restore(saved), BadInput);
+  const auto dem = on_cpu(Precision::mixed, 1)();
   SavedState missing = saved, shorter = saved;
   missing.columns().erase("particles/spin");
   CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/spin"));

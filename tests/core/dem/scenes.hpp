@@ -22,10 +22,11 @@ inline Scene plain_scene(double dt) {
   return scene;
 }
 
-inline NewRock sphere(ParticleId id, Vec3d x, Vec3d v, double radius, double density, Vec3d spin = {0, 0, 0}) {
+inline NewRock sphere(ParticleId id, Vec3d x, Vec3d v, double radius, double density,
+                      Vec3d angular_velocity = {0, 0, 0}) {
   NewRock rock;
   rock.id = none;
-  rock.particles.push_back({id, x, v, spin, radius, density});
+  rock.particles.push_back({id, x, v, angular_velocity, radius, density});
   return rock;
 }
 
@@ -73,10 +74,10 @@ inline NewRock lattice_rock(RockId id, int n, double d, double bond_radius, doub
 }
 
 /// Gives a rock a rigid motion.
-inline void set_rigid_motion(NewRock& rock, Vec3d velocity, Vec3d spin) {
+inline void set_rigid_motion(NewRock& rock, Vec3d velocity, Vec3d angular_velocity) {
   for (NewParticle& p : rock.particles) {
-    p.velocity = velocity + cross(spin, p.position);
-    p.spin = spin;
+    p.velocity = velocity + cross(angular_velocity, p.position);
+    p.angular_velocity = angular_velocity;
   }
 }
 
@@ -116,13 +117,13 @@ inline std::vector<NewRock> cloud(int nx, int ny, int nz, double spacing, double
 }
 
 /// Moves and turns a rock as a whole; the spheres keep their ids, counted from `first` on.
-inline NewRock placed(NewRock rock, RockId id, ParticleId first, Vec3d to, Quatd turn = {1, 0, 0, 0}) {
+inline NewRock placed(NewRock rock, RockId id, ParticleId first, Vec3d to, Quatd orientation = {1, 0, 0, 0}) {
   rock.id = id;
   for (NewParticle& p : rock.particles) {
     p.id += first;
-    p.position = to + rotate(turn, p.position);
-    p.velocity = rotate(turn, p.velocity);
-    p.spin = rotate(turn, p.spin);
+    p.position = to + rotate(orientation, p.position);
+    p.velocity = rotate(orientation, p.velocity);
+    p.angular_velocity = rotate(orientation, p.angular_velocity);
   }
   return rock;
 }
@@ -160,8 +161,8 @@ inline bool same(const Vec3d& a, const Vec3d& b) {
 inline bool same_bits(const ParticleSnapshot& a, const ParticleSnapshot& b) {
   if (a.id != b.id || a.rock != b.rock || a.fragment != b.fragment) return false;
   for (std::size_t k = 0; k < a.size(); ++k)
-    if (!same(a.position[k], b.position[k]) || !same(a.velocity[k], b.velocity[k]) || !same(a.spin[k], b.spin[k]) ||
-        !same(a.force[k], b.force[k]))
+    if (!same(a.position[k], b.position[k]) || !same(a.velocity[k], b.velocity[k]) ||
+        !same(a.angular_velocity[k], b.angular_velocity[k]) || !same(a.force[k], b.force[k]))
       return false;
   return true;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/errors.hpp"
+#include "core/scene/wall_motion.hpp"
 #include "core/walls/liners.hpp"
-#include "core/walls/motion.hpp"
 #include "scenes.hpp"
 #include "tests/catch.hpp"
 

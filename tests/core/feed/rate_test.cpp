@@ -57,7 +57,7 @@ TEST_CASE("A rate is fed to within half a rock while there is room", "[feed]") {
       for (const NewParticle& n : rock.particles) {
         CHECK(std::hypot(n.position.x, n.position.y) + n.radius <= 0.6);
         CHECK((n.position.z - n.radius >= 1 - 1e-12 && n.position.z + n.radius <= 1.4 + 1e-12));
-        CHECK((n.velocity.z == 0 && n.spin.z == 0));
+        CHECK((n.velocity.z == 0 && n.angular_velocity.z == 0));
         for (std::size_t i = 0; i < present.size(); ++i) {
           if (norm(n.position - present.position[i]) < n.radius + present.radius[i]) FAIL("overlap");
         }

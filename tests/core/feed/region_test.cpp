@@ -72,7 +72,7 @@ TEST_CASE("Distances to a profile are exact and signed", "[feed]") {
   // A pose moves the wall: the point moves with it.
   const WallPose pose{{0.3, -0.2, 1}, rotation_about({0, 1, 0}, 0.1), {0, 0, 0}, {0, 0, 0}};
   const Vec3d p{1.1, 0.1, 1.0};
-  CHECK(concave.at(pose, pose.origin + rotate(pose.turn, p)) == Approx(concave.at(rest, p)).epsilon(1e-12));
+  CHECK(concave.at(pose, pose.origin + rotate(pose.orientation, p)) == Approx(concave.at(rest, p)).epsilon(1e-12));
 }
 
 TEST_CASE("Distances to a mesh equal a search through all triangles", "[feed]") {
@@ -104,14 +104,14 @@ TEST_CASE("The distance to a triangle is the least of the distances to its point
   for (std::uint64_t k = 0; k < 50; ++k) {
     const auto u = [k](std::uint32_t draw) { return uniform(4, Stream::place, k, draw); };
     const Vec3d p{3 * u(0) - 1, 3 * u(1) - 1, 3 * u(2) - 1};
-    double least = 1e9;
+    double minimum = 1e9;
     for (int i = 0; i <= cuts; ++i) {
       for (int j = 0; i + j <= cuts; ++j) {
-        least = std::min(least, norm(p - a - (i / double(cuts)) * (b - a) - (j / double(cuts)) * (c - a)));
+        minimum = std::min(minimum, norm(p - a - (i / double(cuts)) * (b - a) - (j / double(cuts)) * (c - a)));
       }
     }
     const double exact = std::sqrt(distance2_to_triangle(triangle, p));
-    CHECK(exact <= least * (1 + 1e-12));
-    CHECK(exact >= least - 1.0 / cuts);
+    CHECK(exact <= minimum * (1 + 1e-12));
+    CHECK(exact >= minimum - 1.0 / cuts);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/dem.hpp"
+#include "core/scene/dem.hpp"
 
 #include <numbers>
 
@@ -17,7 +17,7 @@ inline void add_fragment(ParticleSnapshot& p, const std::vector<Vec3d>& centres,
     p.fragment.push_back(first);
     p.position.push_back(c + shift);
     p.velocity.push_back({0, 0, 0});
-    p.spin.push_back({0, 0, 0});
+    p.angular_velocity.push_back({0, 0, 0});
     p.force.push_back({0, 0, 0});
     p.radius.push_back(radius);
     p.mass.push_back(density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius);

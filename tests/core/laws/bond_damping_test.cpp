@@ -34,9 +34,9 @@ double across(const BondLaw<double>& law, double u, double v) {
 }
 double turning(const BondLaw<double>& law, const Vec3d& axis, double u, double v) {
   Ends e;
-  e.turn_i = rotation_about(axis, -u / 2);
-  e.turn_j = rotation_about(axis, u / 2);
-  return dot(loaded(law, e, {{0, 0, 0}, (-v / 2) * axis, (v / 2) * axis}).moment_j, axis);
+  e.orientation_i = rotation_about(axis, -u / 2);
+  e.orientation_j = rotation_about(axis, u / 2);
+  return dot(loaded(law, e, {{0, 0, 0}, (-v / 2) * axis, (v / 2) * axis}).torque_j, axis);
 }
 
 const Mode modes[] = {{"normal", normal_rate, sphere_mass() / 2, along},
@@ -93,8 +93,8 @@ TEST_CASE("Booked damping is the work of the damping loads", "[laws][bond]") {
     const BondLoad<double> with = bond_load(law, paper_section(arm), strain, rates);
     const BondLoad<double> without = bond_load(paper_law(), paper_section(arm), strain, rates);
     const double power = -dot(with.force - without.force, rates.velocity) -
-                         dot(with.moment_i - without.moment_i, rates.spin_i) -
-                         dot(with.moment_j - without.moment_j, rates.spin_j);
+                         dot(with.torque_i - without.torque_i, rates.angular_velocity_i) -
+                         dot(with.torque_j - without.torque_j, rates.angular_velocity_j);
     CHECK(with.damped == Approx(law.dt * power).epsilon(1e-9));
     CHECK(with.damped > 0);
     CHECK(with.elastic == without.elastic);

@@ -21,14 +21,14 @@ Ends sheared(double u) {
 }
 Ends bent(double angle) {
   Ends e;
-  e.turn_i = rotation_about({0, 1, 0}, -angle / 2);
-  e.turn_j = rotation_about({0, 1, 0}, angle / 2);
+  e.orientation_i = rotation_about({0, 1, 0}, -angle / 2);
+  e.orientation_j = rotation_about({0, 1, 0}, angle / 2);
   return e;
 }
 Ends twisted(double angle) {
   Ends e;
-  e.turn_i = rotation_about({1, 0, 0}, -angle / 2);
-  e.turn_j = rotation_about({1, 0, 0}, angle / 2);
+  e.orientation_i = rotation_about({1, 0, 0}, -angle / 2);
+  e.orientation_j = rotation_about({1, 0, 0}, angle / 2);
   return e;
 }
 
@@ -38,8 +38,8 @@ TEST_CASE("Stiffness of each mode of a bond", "[laws][bond]") {
   const double u = 1e-6, angle = 1e-4;
   CHECK(-load_of(stretched(u)).force.x / u == Approx(normal_rate).epsilon(1e-6));
   CHECK(-load_of(sheared(u)).force.y / u == Approx(shear_rate).epsilon(1e-6));
-  CHECK(-load_of(bent(angle)).moment_j.y / angle == Approx(bend_rate).epsilon(1e-6));
-  CHECK(-load_of(twisted(angle)).moment_j.x / angle == Approx(twist_rate).epsilon(1e-6));
+  CHECK(-load_of(bent(angle)).torque_j.y / angle == Approx(bend_rate).epsilon(1e-6));
+  CHECK(-load_of(twisted(angle)).torque_j.x / angle == Approx(twist_rate).epsilon(1e-6));
   CHECK(load_of(stretched(u)).elastic == Approx(0.5 * normal_rate * u * u).epsilon(1e-6));
   CHECK(load_of(sheared(u)).elastic == Approx(0.5 * shear_rate * u * u).epsilon(1e-6));
   CHECK(load_of(bent(angle)).elastic == Approx(0.5 * bend_rate * angle * angle).epsilon(1e-6));
@@ -48,11 +48,11 @@ TEST_CASE("Stiffness of each mode of a bond", "[laws][bond]") {
 
 TEST_CASE("A sheared bond turns its ends by half the couple each", "[laws][bond]") {
   const BondLoad<double> load = load_of(sheared(1e-6));
-  CHECK(load.moment_i.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
-  CHECK(load.moment_j.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
+  CHECK(load.torque_i.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
+  CHECK(load.torque_j.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
   // The section sits at 0.3 of the way: the nearer end has the shorter lever.
   const BondLoad<double> uneven = load_of(sheared(1e-6), paper_law(), 0.3);
-  CHECK(uneven.moment_i.z / uneven.moment_j.z == Approx(0.3 / 0.7).epsilon(1e-9));
+  CHECK(uneven.torque_i.z / uneven.torque_j.z == Approx(0.3 / 0.7).epsilon(1e-9));
 }
 
 TEST_CASE("A bond fails at its strength in each mode", "[laws][bond]") {
@@ -66,12 +66,12 @@ TEST_CASE("A bond fails at its strength in each mode", "[laws][bond]") {
 
   const BondLoad<double> bend = load_of(bent(4.311377e-3));
   CHECK(bend.tension_ratio == Approx(1).epsilon(2e-6));
-  CHECK(norm(bend.moment_j) == Approx(bend_rate * std::sin(4.311377e-3)).epsilon(1e-6));
+  CHECK(norm(bend.torque_j) == Approx(bend_rate * std::sin(4.311377e-3)).epsilon(1e-6));
   CHECK(bend.shear_ratio < 1e-9);
 
   const BondLoad<double> twist = load_of(twisted(7.196402e-3));
   CHECK(twist.shear_ratio == Approx(1).epsilon(3e-6));
-  CHECK(norm(twist.moment_j) == Approx(twist_rate * std::sin(7.196402e-3)).epsilon(1e-6));
+  CHECK(norm(twist.torque_j) == Approx(twist_rate * std::sin(7.196402e-3)).epsilon(1e-6));
   CHECK(std::abs(twist.tension_ratio) < 1e-9);
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("Combined loads fail on straight lines, and compression strengthens", 
   pulled.j.x += share * 21.5569e-6;
   const BondLoad<double> a = load_of(pulled);
   CHECK(a.tension_ratio == Approx(1).epsilon(1e-5));
-  CHECK(-a.force.x / 2827.433 + norm(a.moment_j) / 3.534292 == Approx(1).epsilon(1e-5));
+  CHECK(-a.force.x / 2827.433 + norm(a.torque_j) / 3.534292 == Approx(1).epsilon(1e-5));
 
   Ends turned_and_sheared = twisted((1 - share) * 7.196402e-3);
   turned_and_sheared.j.y += share * 35.9820e-6;
@@ -112,7 +112,7 @@ TEST_CASE("Stiffness given as a modulus falls with the length", "[laws][bond]") 
   const Ends ends = strained(5, 3e-3);
   const BondLoad<double> a = load_of(ends), b = load_of(ends, law);
   CHECK(distance(a.force, b.force) < 1e-12 * norm(a.force));
-  CHECK(distance(a.moment_j, b.moment_j) < 1e-12 * norm(a.moment_j));
+  CHECK(distance(a.torque_j, b.torque_j) < 1e-12 * norm(a.torque_j));
 
   BondSection<double> twice = paper_section();
   twice.length = 2 * bond_length;

@@ -19,7 +19,7 @@ double pull_back(const Ends& ends, double arm, double h, const std::function<voi
 }
 
 struct Gradient {
-  Vec3d force_i, force_j, moment_i, moment_j;
+  Vec3d force_i, force_j, torque_i, torque_j;
 };
 
 Gradient gradient(const Ends& ends, double arm) {
@@ -30,8 +30,10 @@ Gradient gradient(const Ends& ends, double arm) {
     const Vec3d a = axes[k];
     f_i[k] = pull_back(ends, arm, step, [a](Ends& e, double s) { e.i += s * a; });
     f_j[k] = pull_back(ends, arm, step, [a](Ends& e, double s) { e.j += s * a; });
-    m_i[k] = pull_back(ends, arm, angle, [a](Ends& e, double s) { e.turn_i = rotation_about(a, s) * e.turn_i; });
-    m_j[k] = pull_back(ends, arm, angle, [a](Ends& e, double s) { e.turn_j = rotation_about(a, s) * e.turn_j; });
+    m_i[k] = pull_back(ends, arm, angle,
+                       [a](Ends& e, double s) { e.orientation_i = rotation_about(a, s) * e.orientation_i; });
+    m_j[k] = pull_back(ends, arm, angle,
+                       [a](Ends& e, double s) { e.orientation_j = rotation_about(a, s) * e.orientation_j; });
   }
   const auto v = [](const double* c) { return Vec3d{c[0], c[1], c[2]}; };
   return {v(f_i), v(f_j), v(m_i), v(m_j)};
@@ -42,13 +44,13 @@ double mismatch(const Ends& ends, double arm) {
   const BondLoad<double> load = load_of(ends, paper_law(), arm);
   const Gradient g = gradient(ends, arm);
   return std::max({distance(load.force, g.force_j), distance(-load.force, g.force_i),
-                   distance(load.moment_i, g.moment_i) / bond_length,
-                   distance(load.moment_j, g.moment_j) / bond_length});
+                   distance(load.torque_i, g.torque_i) / bond_length,
+                   distance(load.torque_j, g.torque_j) / bond_length});
 }
 
 double size_of(const Ends& ends, double arm) {
   const BondLoad<double> load = load_of(ends, paper_law(), arm);
-  return norm(load.force) + (norm(load.moment_i) + norm(load.moment_j)) / bond_length;
+  return norm(load.force) + (norm(load.torque_i) + norm(load.torque_j)) / bond_length;
 }
 
 }  // namespace
@@ -69,11 +71,11 @@ TEST_CASE("A bond gives and takes no angular momentum", "[laws][bond]") {
     const Ends ends = strained(k, 4e-3);
     const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
     const BondStrain<double> strain = strain_of(ends, arm);
-    const BondLoad<double> glued = bond_load(law, paper_section(arm), strain, rates);
-    const BondLoad<double> loose = unglued_load(law, paper_section(arm), strain, rates).load;
-    for (const BondLoad<double>& load : {glued, loose}) {
-      const Vec3d lack = load.moment_i + load.moment_j + cross(ends.j - ends.i, load.force);
-      CHECK(norm(lack) <= 1e-12 * (norm(load.moment_i) + norm(load.moment_j)));
+    const BondLoad<double> intact = bond_load(law, paper_section(arm), strain, rates);
+    const BondLoad<double> loose = pressed_load(law, paper_section(arm), strain, rates).load;
+    for (const BondLoad<double>& load : {intact, loose}) {
+      const Vec3d lack = load.torque_i + load.torque_j + cross(ends.j - ends.i, load.force);
+      CHECK(norm(lack) <= 1e-12 * (norm(load.torque_i) + norm(load.torque_j)));
     }
   }
 }
@@ -86,15 +88,16 @@ TEST_CASE("A bond does not see rigid rotations", "[laws][bond]") {
     const Ends ends = strained(k, 4e-3);
     const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
     const Quatd q = random_turn(k, 30);
-    const BondEnds<double> here{ends.j - ends.i, ends.turn_i, ends.turn_j};
-    const BondEnds<double> there{rotate(q, here.span), q * here.turn_i, q * here.turn_j};
-    const BondRates<double> rates_there{rotate(q, rates.velocity), rotate(q, rates.spin_i), rotate(q, rates.spin_j)};
+    const BondEnds<double> here{ends.j - ends.i, ends.orientation_i, ends.orientation_j};
+    const BondEnds<double> there{rotate(q, here.span), q * here.orientation_i, q * here.orientation_j};
+    const BondRates<double> rates_there{rotate(q, rates.velocity), rotate(q, rates.angular_velocity_i),
+                                        rotate(q, rates.angular_velocity_j)};
     const BondLoad<double> a = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), here), rates);
     const BondLoad<double> b = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), there), rates_there);
-    const double force = norm(a.force) + 1884.956, moment = norm(a.moment_i) + norm(a.moment_j) + 3.534;
+    const double force = norm(a.force) + 1884.956, moment = norm(a.torque_i) + norm(a.torque_j) + 3.534;
     CHECK(distance(rotate(q, a.force), b.force) < 2e-12 * force);
-    CHECK(distance(rotate(q, a.moment_i), b.moment_i) < 2e-12 * moment);
-    CHECK(distance(rotate(q, a.moment_j), b.moment_j) < 2e-12 * moment);
+    CHECK(distance(rotate(q, a.torque_i), b.torque_i) < 2e-12 * moment);
+    CHECK(distance(rotate(q, a.torque_j), b.torque_j) < 2e-12 * moment);
     CHECK(std::abs(a.tension_ratio - b.tension_ratio) < 2e-12 * (1 + std::abs(a.tension_ratio)));
     CHECK(std::abs(a.shear_ratio - b.shear_ratio) < 2e-12 * (1 + a.shear_ratio));
     CHECK(std::abs(a.elastic - b.elastic) < 4e-12 * (1 + a.elastic));
@@ -109,20 +112,20 @@ TEST_CASE("A rigid motion loads no bond and is not damped", "[laws][bond]") {
     const Quatd q = random_turn(k, 0);
     Ends ends;
     ends.j = rotate(q, ends.j);
-    ends.turn_i = ends.turn_j = q;
+    ends.orientation_i = ends.orientation_j = q;
     const BondLoad<double> load = bond_load(law, paper_section(arm), strain_of(ends, arm), {});
     CHECK(norm(load.force) < 1e-8);      // of 2827 N
-    CHECK(norm(load.moment_j) < 1e-10);  // of 3.5 N m
+    CHECK(norm(load.torque_j) < 1e-10);  // of 3.5 N m
     CHECK(load.elastic < 1e-18);
 
     // Half a step later than the velocity that turns it.
-    const Vec3d spin = 100.0 * random_vector(k, 4);
-    const BondRates<double> rates{cross(spin, ends.j - ends.i), spin, spin};
+    const Vec3d angular_velocity = 100.0 * random_vector(k, 4);
+    const BondRates<double> rates{cross(angular_velocity, ends.j - ends.i), angular_velocity, angular_velocity};
     ends.j = ends.j + (0.5 * law.dt) * rates.velocity;
     const BondLoad<double> still = bond_load(law, paper_section(arm), strain_of(ends, arm), {});
     const BondLoad<double> turning = bond_load(law, paper_section(arm), strain_of(ends, arm), rates);
     CHECK(norm(turning.force - still.force) < 1e-8);
-    CHECK(norm(turning.moment_j - still.moment_j) < 1e-10);
+    CHECK(norm(turning.torque_j - still.torque_j) < 1e-10);
     CHECK(std::abs(turning.damped) < 1e-20);
   }
 }

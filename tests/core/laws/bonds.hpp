@@ -56,9 +56,9 @@ inline Quatd rotation_by(const Vec3d& r) {
 /// Two ends of a bond.
 struct Ends {
   Vec3d i{0, 0, 0}, j{bond_length, 0, 0};
-  Quatd turn_i{1, 0, 0, 0}, turn_j{1, 0, 0, 0};
+  Quatd orientation_i{1, 0, 0, 0}, orientation_j{1, 0, 0, 0};
 
-  BondEnds<double> relative() const { return {j - i, turn_i, turn_j}; }
+  BondEnds<double> relative() const { return {j - i, orientation_i, orientation_j}; }
 };
 
 inline BondShape<double> paper_shape(double arm = 0.5) {
@@ -79,8 +79,8 @@ inline Ends strained(std::uint64_t thing, double strain) {
   e.i = random_vector(thing, 4);
   const Vec3d off = strain * bond_length * random_vector(thing, 7);
   e.j = e.i + rotate(all, Vec3d{bond_length, 0, 0} + Vec3d{0.2 * off.x, off.y, off.z});
-  e.turn_i = rotation_by(strain * random_vector(thing, 10)) * all;
-  e.turn_j = rotation_by(strain * random_vector(thing, 13)) * all;
+  e.orientation_i = rotation_by(strain * random_vector(thing, 10)) * all;
+  e.orientation_j = rotation_by(strain * random_vector(thing, 13)) * all;
   return e;
 }
 

@@ -26,31 +26,31 @@ double hertz(double overlap) {
 /// Loads of a contact that was the same a step ago, but for what its spring remembers.
 ContactLoad<double> lasting(const ContactLaw<double>& law, const ContactMotion<double>& c,
                             const Vec3d& elastic = {0, 0, 0}, double overlap = 0) {
-  ContactPast<double> past{elastic, overlap, {0, 0, 0}};
-  past.drag = hertz_mindlin(law, c, past).past.drag;
-  return hertz_mindlin(law, c, past);
+  ContactHistory<double> history{elastic, overlap, {0, 0, 0}};
+  history.drag = hertz_mindlin(law, c, history).history.drag;
+  return hertz_mindlin(law, c, history);
 }
 
 /// A contact that is moved along a path, with the work done against its tangential force.
 struct Path {
   ContactLaw<double> law = elastic_law();
-  ContactPast<double> past{};
+  ContactHistory<double> history{};
   double work = 0, lost = 0, smallest_loss = 0;
 
   void go(double to_overlap, const Vec3d& slip, int steps) {
-    const double from = past.overlap;
+    const double from = history.overlap;
     for (int k = 1; k <= steps; ++k) {
       ContactMotion<double> c = resting(from + (to_overlap - from) * k / steps);
       if (c.overlap <= 0) c.overlap = 1e-15;
       c.velocity = (1 / (steps * law.dt)) * slip;
-      const ContactLoad<double> load = hertz_mindlin(law, c, past);
-      work -= 0.5 * law.dt * dot(past.elastic + load.past.elastic, c.velocity);
+      const ContactLoad<double> load = hertz_mindlin(law, c, history);
+      work -= 0.5 * law.dt * dot(history.elastic + load.history.elastic, c.velocity);
       lost += load.slipped;
       smallest_loss = std::min(smallest_loss, load.slipped);
-      past = load.past;
+      history = load.history;
     }
   }
-  double stored() const { return norm2(past.elastic) / (16 * law.shear * std::sqrt(radius * past.overlap)); }
+  double stored() const { return norm2(history.elastic) / (16 * law.shear * std::sqrt(radius * history.overlap)); }
 };
 
 }  // namespace
@@ -80,9 +80,10 @@ TEST_CASE("Work of the damping force is booked half with the step's begin, half 
   c.velocity = {0.002, 0, 0.03};
   const ContactLoad<double> first = hertz_mindlin(law, c, {});
   c.velocity = {0.001, 0, 0.01};
-  const ContactLoad<double> second = hertz_mindlin(law, c, first.past);
-  CHECK(first.damped == Approx(-0.5 * law.dt * dot(first.past.drag, Vec3d{0.002, 0, 0.03})).epsilon(1e-14));
-  CHECK(second.damped == Approx(-0.5 * law.dt * dot(first.past.drag + second.past.drag, c.velocity)).epsilon(1e-14));
+  const ContactLoad<double> second = hertz_mindlin(law, c, first.history);
+  CHECK(first.damped == Approx(-0.5 * law.dt * dot(first.history.drag, Vec3d{0.002, 0, 0.03})).epsilon(1e-14));
+  CHECK(second.damped ==
+        Approx(-0.5 * law.dt * dot(first.history.drag + second.history.drag, c.velocity)).epsilon(1e-14));
 }
 
 TEST_CASE("Stored energy of a contact is the work of Hertz's force", "[laws][contact]") {
@@ -100,19 +101,19 @@ TEST_CASE("A sticking contact is Mindlin's spring, a sliding one is Coulomb's li
   Path path;
   path.go(overlap, {0, 0, 0}, 1);
   path.go(overlap, {0.9 * limit / stiffness, 0, 0}, 10);
-  CHECK(-path.past.elastic.x == Approx(0.9 * limit).epsilon(1e-12));
+  CHECK(-path.history.elastic.x == Approx(0.9 * limit).epsilon(1e-12));
   CHECK(std::abs(path.lost) < 1e-12 * path.work);
   path.go(overlap, {0.2 * limit / stiffness, 0, 0}, 10);
-  CHECK(-path.past.elastic.x == Approx(limit).epsilon(1e-14));
+  CHECK(-path.history.elastic.x == Approx(limit).epsilon(1e-14));
   path.go(overlap, {0, 3 * limit / stiffness, 0}, 100);
-  CHECK(norm(path.past.elastic) == Approx(limit).epsilon(1e-14));
+  CHECK(norm(path.history.elastic) == Approx(limit).epsilon(1e-14));
 
   // With damping and sliding the whole tangential force is the limit.
   ContactLaw<double> law = elastic_law();
   law.damping = 0.7;
   ContactMotion<double> c = resting(overlap);
   c.velocity = {0.5, 0.2, 0.01};
-  const ContactLoad<double> load = hertz_mindlin(law, c, path.past);
+  const ContactLoad<double> load = hertz_mindlin(law, c, path.history);
   CHECK(norm(tangential(load.force, c.normal)) == Approx(0.5 * -load.force.z).epsilon(1e-14));
 }
 
@@ -121,9 +122,9 @@ TEST_CASE("The memory follows the tangent plane at equal size", "[laws][contact]
   const Vec3d before{0.01, 0, 0};
   c.normal = {std::sin(0.1), 0, std::cos(0.1)};
   const ContactLoad<double> load = lasting(elastic_law(), c, before, c.overlap);
-  CHECK(norm(load.past.elastic) == Approx(0.01).epsilon(1e-14));
-  CHECK(std::abs(dot(load.past.elastic, c.normal)) < 1e-17);
-  CHECK(load.past.elastic.x == Approx(0.01 * std::cos(0.1)).epsilon(1e-13));
+  CHECK(norm(load.history.elastic) == Approx(0.01).epsilon(1e-14));
+  CHECK(std::abs(dot(load.history.elastic, c.normal)) < 1e-17);
+  CHECK(load.history.elastic.x == Approx(0.01 * std::cos(0.1)).epsilon(1e-13));
 }
 
 TEST_CASE("Load, shear, unload, shear back creates no energy", "[laws][contact]") {
@@ -161,15 +162,15 @@ TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest what balances spin an
   ContactLaw<double> law = elastic_law();
   law.rolling = 0.05;
   ContactMotion<double> c = resting(1e-5);
-  c.spin = {300, 400, 70};  // the part about the normal does not roll
+  c.angular_velocity = {300, 400, 70};  // the part about the normal does not roll
   const ContactLoad<double> fast = lasting(law, c, {0, 0, 0}, c.overlap);
   CHECK(norm(fast.couple) == Approx(0.05 * radius * hertz(1e-5)).epsilon(1e-12));
   CHECK(dot(fast.couple, Vec3d{0.6, 0.8, 0}) == Approx(-norm(fast.couple)).epsilon(1e-12));
   CHECK(fast.slipped == Approx(law.dt * norm(fast.couple) * 500).epsilon(1e-12));
-  c.spin = {1e-3, 0, 0};
+  c.angular_velocity = {1e-3, 0, 0};
   const ContactLoad<double> slow = lasting(law, c, {0, 0, 0}, c.overlap);
-  CHECK(c.spin.x + 4 * slow.couple.x * law.dt / c.inertia == Approx(0).margin(1e-18));
-  c.spin = {0, 0, 0};
+  CHECK(c.angular_velocity.x + 4 * slow.couple.x * law.dt / c.inertia == Approx(0).margin(1e-18));
+  c.angular_velocity = {0, 0, 0};
   const ContactLoad<double> rest = lasting(law, c, {1e-3, 2e-3, 0}, c.overlap);
   CHECK(norm(rest.couple + c.lever * cross(c.normal, rest.force)) < 1e-15 * norm(rest.couple));
   CHECK(norm(rest.couple) > 0);

@@ -70,7 +70,7 @@ TEST_CASE("A step of spin turns by 2 atan(w dt/2) and keeps the length", "[laws]
   const int steps = 1000;
   Quatd q = random_turn(1, 0);
   const Quatd start = q;
-  for (int k = 0; k < steps; ++k) q = turned(q, w, dt);
+  for (int k = 0; k < steps; ++k) q = rotated(q, w, dt);
   // renormalised() is exact to 35/128 x^4 with x = (w dt/2)^2, and forgets the error of the step before.
   const double half = norm(w) * dt / 2, short_of = 35.0 / 128 * std::pow(half, 8);
   CHECK(std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-15 + 2.1 * short_of);

@@ -3,7 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/core/laws/bonds.hpp"
 
-#include "core/exec/lanes.hpp"
+#include "core/kernels/bond_lane.hpp"
 #include "core/math/pack.hpp"
 
 using namespace gyro;
@@ -58,8 +58,8 @@ bool same(const Vec3<Pack<T, lanes>>& pack, int lane, const Vec3<T>& v) {
 
 template <class T>
 bool same(const BondLoad<Pack<T, lanes>>& pack, int lane, const BondLoad<T>& one) {
-  return same(pack.force, lane, one.force) && same(pack.moment_i, lane, one.moment_i) &&
-         same(pack.moment_j, lane, one.moment_j) && pack.tension_ratio[lane] == one.tension_ratio &&
+  return same(pack.force, lane, one.force) && same(pack.torque_i, lane, one.torque_i) &&
+         same(pack.torque_j, lane, one.torque_j) && pack.tension_ratio[lane] == one.tension_ratio &&
          pack.shear_ratio[lane] == one.shear_ratio && pack.elastic[lane] == one.elastic &&
          pack.damped[lane] == one.damped;
 }
@@ -83,16 +83,16 @@ TEMPLATE_TEST_CASE("A pack of bonds has the loads of single bonds, bit by bit", 
       put(strain.normal, k, s.normal), put(strain.length, k, s.length), put(strain.stretch, k, s.stretch);
       put(strain.along, k, s.along), put(strain.shear, k, s.shear), put(strain.twist, k, s.twist);
       put(strain.bend, k, s.bend);
-      put(rates.velocity, k, c.rates.velocity), put(rates.spin_i, k, c.rates.spin_i);
-      put(rates.spin_j, k, c.rates.spin_j);
+      put(rates.velocity, k, c.rates.velocity), put(rates.angular_velocity_i, k, c.rates.angular_velocity_i);
+      put(rates.angular_velocity_j, k, c.rates.angular_velocity_j);
     }
-    const BondLoad<P> glued = bond_load(spread_law<P>(law), section, strain, rates);
-    const UngluedLoad<P> loose = unglued_load(spread_law<P>(law), section, strain, rates);
+    const BondLoad<P> intact = bond_load(spread_law<P>(law), section, strain, rates);
+    const PressedLoad<P> loose = pressed_load(spread_law<P>(law), section, strain, rates);
     for (int k = 0; k < lanes; ++k) {
       const Case<T> c = some_bond<T>(first + static_cast<std::uint64_t>(k));
       const BondStrain<T> s = narrowed<T>(c.strain);
-      CHECK(same(glued, k, bond_load(law, c.section, s, c.rates)));
-      const UngluedLoad<T> one = unglued_load(law, c.section, s, c.rates);
+      CHECK(same(intact, k, bond_load(law, c.section, s, c.rates)));
+      const PressedLoad<T> one = pressed_load(law, c.section, s, c.rates);
       CHECK(same(loose.load, k, one.load));
       CHECK(loose.keep[k] == one.keep);
       CHECK(loose.slip_work[k] == one.slip_work);
@@ -107,7 +107,8 @@ TEST_CASE("A pack of strains has the bits of single strains", "[laws][pack]") {
   for (int k = 0; k < lanes; ++k) {
     const BondEnds<double> one = strained(static_cast<std::uint64_t>(k), 3e-3).relative();
     put(ends.span, k, one.span);
-    for (auto [pack, q] : {std::pair{&ends.turn_i, one.turn_i}, std::pair{&ends.turn_j, one.turn_j}})
+    for (auto [pack, q] :
+         {std::pair{&ends.orientation_i, one.orientation_i}, std::pair{&ends.orientation_j, one.orientation_j}})
       put(pack->w, k, q.w), put(pack->x, k, q.x), put(pack->y, k, q.y), put(pack->z, k, q.z);
     put(shape.axis, k, {1, 0, 0}), put(shape.length, k, bond_length), put(shape.arm, k, 0.3 + 0.05 * k);
   }

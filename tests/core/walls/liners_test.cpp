@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/liners.hpp"
 #include "core/base/errors.hpp"
-#include "core/laws/wall_contact.hpp"
-#include "core/walls/motion.hpp"
-#include "core/walls/profile_surface.hpp"
+#include "core/scene/wall_motion.hpp"
+#include "core/surfaces/profile_surface.hpp"
+#include "core/surfaces/touch_wall.hpp"
 #include "tests/catch.hpp"
 
 #include <numbers>
@@ -69,7 +69,7 @@ TEST_CASE("liners: the setting is found again on the moving walls") {
   const Liners liners = make_liners(table, setting);
   const ProfileSurface concave(liners.concave);
   const ProfilePoint lip = liners.mantle.points[liners.mantle.points.size() - 2];
-  double least = 1, least_opposite = 1;
+  double minimum = 1, min_opposite = 1;
   for (int turn = 0; turn < 8; ++turn) {
     const WallPose pose = gyration_pose(liners.motion, {pi / 4 * turn + 0.1, speed, 0.3 * turn, 0});
     for (int azimuth = 0; azimuth < 1440; ++azimuth)
@@ -79,13 +79,13 @@ TEST_CASE("liners: the setting is found again on the moving walls") {
         const Vec3d p = to_world(pose, {r * std::cos(a), r * std::sin(a), z});
         const WallTouches t = touch_profile(concave.view(), {0, concave.view().count}, p, 0.2);
         if (t.count == 0) continue;
-        least = std::min(least, t.touch[0].gap + 0.2);
+        minimum = std::min(minimum, t.touch[0].gap + 0.2);
         const double towards = std::atan2(p.y, p.x) - (pi / 4 * turn + 0.1);
-        if (std::cos(towards) < -0.99999) least_opposite = std::min(least_opposite, t.touch[0].gap + 0.2);
+        if (std::cos(towards) < -0.99999) min_opposite = std::min(min_opposite, t.touch[0].gap + 0.2);
       }
   }
-  CHECK(least == Approx(0.120).margin(2e-6));
-  CHECK(least_opposite == Approx(side_setting(liners, liners.motion.lift, false)).margin(1e-5));
+  CHECK(minimum == Approx(0.120).margin(2e-6));
+  CHECK(min_opposite == Approx(side_setting(liners, liners.motion.lift, false)).margin(1e-5));
 }
 
 TEST_CASE("liners: nip angles by height") {

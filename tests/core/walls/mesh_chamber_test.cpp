@@ -60,8 +60,8 @@ TEST_CASE("A meshed profile is reported as the profile itself", "[walls][chamber
     const std::size_t row = static_cast<std::size_t>(std::lround(nip.z / 0.025));
     if (row == 0 || row + 1 >= exact.nip_angle.size()) continue;
     CAPTURE(nip.z);
-    CHECK(nip.largest - nip.least < 1e-3);
-    CHECK(nip.least == Approx(exact.nip_angle[row]).margin(0.3 * pi / 180));
+    CHECK(nip.largest - nip.minimum < 1e-3);
+    CHECK(nip.minimum == Approx(exact.nip_angle[row]).margin(0.3 * pi / 180));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/case.hpp"
+#include "io/case/case.hpp"
 
 #include "tests/catch.hpp"
 
@@ -171,8 +171,8 @@ TEST_CASE("Spins of a start state, and probes") {
   const gyro::Case c = load(file.path);
   REQUIRE(c.particles);
   CHECK(norm(c.particles->particles[0].velocity - gyro::Vec3d{1, 2, 3}) == 0);
-  CHECK(norm(c.particles->particles[0].spin - gyro::Vec3d{4, 5, 6}) == 0);
-  CHECK(c.particles->particles[1].spin.z == -7);
+  CHECK(norm(c.particles->particles[0].angular_velocity - gyro::Vec3d{4, 5, 6}) == 0);
+  CHECK(c.particles->particles[1].angular_velocity.z == -7);
   CHECK(c.output.probes == std::vector<std::uint32_t>{1, 0});
   CHECK(c.resolved.find("probes: [1, 0]") != std::string::npos);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/errors.hpp"
-#include "io/case.hpp"
-#include "io/schema.hpp"
+#include "io/case/case.hpp"
+#include "io/schema/schema.hpp"
 #include "tests/catch.hpp"
 
 #include <set>

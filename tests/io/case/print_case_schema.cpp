@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/case.hpp"
+#include "io/case/case.hpp"
 
 #include <iostream>
 

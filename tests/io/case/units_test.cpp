@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/units.hpp"
+#include "io/case/units.hpp"
 
-#include "io/schema.hpp"
+#include "io/schema/schema.hpp"
 #include "tests/catch.hpp"
 
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/yaml_tree.hpp"
+#include "io/case/yaml_tree.hpp"
 
 #include "tests/catch.hpp"
 

@@ -3,7 +3,7 @@
 #include "io/fmu/archive.hpp"
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/io/output/scratch.hpp"
+#include "tests/io/run/scratch.hpp"
 
 #include <sys/stat.h>
 #include <zip.h>

@@ -4,7 +4,7 @@
 #include "io/fmu/drive_fmu.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/fmu/foreign.hpp"
-#include "tests/io/output/scratch.hpp"
+#include "tests/io/run/scratch.hpp"
 
 namespace {
 

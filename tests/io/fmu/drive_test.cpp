@@ -6,7 +6,7 @@
 #include "mbd/drivetrain.hpp"
 #include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
-#include "tests/io/output/scratch.hpp"
+#include "tests/io/run/scratch.hpp"
 #include "tests/mbd/machines.hpp"
 
 #include <cmath>

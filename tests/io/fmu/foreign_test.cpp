@@ -5,7 +5,7 @@
 #include "io/fmu/drive_fmu.hpp"
 #include "mbd/drivetrain.hpp"
 #include "tests/catch.hpp"
-#include "tests/io/output/scratch.hpp"
+#include "tests/io/run/scratch.hpp"
 #include "tests/mbd/machines.hpp"
 
 #include <cmath>

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/commands.hpp"
+#include "app/simulation/assembly.hpp"
+#include "app/simulation/device.hpp"
+#include "app/simulation/simulation.hpp"
+#include "core/base/errors.hpp"
+#include "io/run/progress.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace gyro {
+namespace {
+
+/// What a run of a case would take.
+struct Estimate {
+  StepChoice step;
+  std::int64_t particles = 0, bonds = 0, particles_at_end = 0, steps = 0;
+  double bytes = 0, seconds = 0;
+};
+
+/// Mass and particles of the average rock of a library, by number as the feed draws them.
+struct MeanRock {
+  double mass = 0, particles = 0;
+};
+MeanRock mean_rock(const RockLibrary& library, double density) {
+  MeanRock mean;
+  double weights = 0;
+  for (const RockTemplate& rock : library.rocks) {
+    const double mass = density * rock.solid_volume, weight = 1 / mass;
+    weights += weight;
+    mean.mass += weight * mass;
+    mean.particles += weight * static_cast<double>(rock.centres.size());
+  }
+  if (weights > 0) mean = {mean.mass / weights, mean.particles / weights};
+  return mean;
+}
+
+/// What a run of some windows from t = 0 shows.
+struct Trial {
+  Counts start;
+  double seconds_per_step;  ///< median: the first steps build neighbour lists, and others may use the machine
+};
+Trial try_out(const Case& input, const Assembly& assembly) {
+  constexpr double enough_work = 1e6;  // particle steps in a trial window, some tenths of a second
+  constexpr double enough_time = 1.5;  // [s]
+  Assembly trial = assembly;
+  Simulation simulation(input, trial, make_dem(choose_device("cpu", 0), trial.scene, input.numerics.precision));
+  const Counts at_start = simulation.dem().counts();
+  const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(at_start.particles, 1));
+  trial.step.per_window = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(trial.step.per_window)));
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> seconds;
+  const auto start = Clock::now();
+  do {
+    const auto begin = Clock::now();
+    simulation.advance();
+    simulation.require_sound();
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+  } while (seconds.size() < 3 ||
+           (seconds.size() < 100 && Clock::now() - start < std::chrono::duration<double>(enough_time)));
+  std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
+  return {at_start, seconds[seconds.size() / 2] / trial.step.per_window};
+}
+
+Estimate estimate(const Case& input, const Assembly& assembly) {
+  Estimate e;
+  e.step = assembly.step;
+  e.steps = std::llround(input.time.duration / e.step.dt);
+  const Trial trial = try_out(input, assembly);
+  e.particles = trial.start.particles;
+  e.bonds = trial.start.bonds_intact;
+  double fed_later = 0;
+  if (assembly.feed) {
+    const FeedPlan& plan = *assembly.feed;
+    const double density = assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
+    const MeanRock mean = mean_rock(assembly.library, density);
+    fed_later = (plan.batch + plan.rate * std::max(0.0, input.time.duration - plan.start)) / mean.mass * mean.particles;
+  }
+  e.particles_at_end = e.particles + std::llround(fed_later);
+  e.bytes = 700.0 * static_cast<double>(e.particles_at_end) + 70.0 * static_cast<double>(e.bonds);
+  const double growth =
+      e.particles > 0 ? 0.5 * (1 + static_cast<double>(e.particles_at_end) / static_cast<double>(e.particles)) : 1;
+  e.seconds = static_cast<double>(e.steps) * growth * trial.seconds_per_step;
+  return e;
+}
+
+void add_figures(nlohmann::json& out, const Estimate& e) {
+  out["time_step"] = e.step.dt;
+  out["time_step_limit"] = e.step.limit;  // null where nothing limits it
+  out["limited_by"] = e.step.limited_by;
+  out["particles"] = e.particles;
+  out["bonds"] = e.bonds;
+  out["steps"] = e.steps;
+  out["bytes"] = e.bytes;
+  out["estimated_seconds"] = e.seconds;
+}
+
+void print(const Case& input, const Assembly& assembly, const Estimate& e) {
+  std::cout << input.resolved << "\n";
+  std::printf("step           %.4g us", e.step.dt * 1e6);
+  if (std::isfinite(e.step.limit)) std::printf(", limit %.4g us (%s)", e.step.limit * 1e6, e.step.limited_by.c_str());
+  std::printf("\n");
+  std::printf("steps          %lld, %d a coupling interval\n", static_cast<long long>(e.steps), e.step.per_window);
+  std::printf("particles      %s at the start, about %s by the end if all the feed finds room\n",
+              format_count(double(e.particles)).c_str(), format_count(double(e.particles_at_end)).c_str());
+  std::printf("bonds          %s at the start\n", format_count(double(e.bonds)).c_str());
+  if (!assembly.library.rocks.empty())
+    std::printf("library        %zu rocks, %.3g to %.3g mm\n", assembly.library.rocks.size(),
+                assembly.library.rocks.front().diameter * 1e3, assembly.library.rocks.back().diameter * 1e3);
+  for (const std::string& note : assembly.notes) std::printf("note           %s\n", note.c_str());
+  std::printf("memory         about %s bytes\n", format_count(e.bytes).c_str());
+  std::printf("wall time      about %s on this machine\n", format_duration(e.seconds).c_str());
+}
+
+}  // namespace
+
+int check_command(const CaseArguments& arguments) {
+  nlohmann::json out{{"valid", false}, {"problems", nlohmann::json::array()}};
+  CaseReport report = load_case(arguments.file, arguments.set);
+  std::optional<Assembly> assembly;
+  std::optional<Estimate> found;
+  const auto blame = [&](const std::string& key, const std::string& problem) {
+    report.problems.push_back(problem_at(arguments.file, arguments.set, key, problem));
+  };
+  if (report.loaded) {
+    try {
+      assembly.emplace(assemble(*report.loaded));
+      found.emplace(estimate(*report.loaded, *assembly));
+    } catch (const BadKey& bad) {
+      blame(bad.key, bad.what());
+    } catch (const StoppedByGuard& stop) {
+      blame("", std::string("a run of this case stops at once: ") + stop.what());
+    }
+  }
+  for (const CaseProblem& p : report.problems) {
+    out["problems"].push_back({{"line", p.line}, {"column", p.column}, {"message", p.message}});
+    std::cerr << to_string(p) << "\n";
+  }
+  if (found) {
+    out["valid"] = true;
+    add_figures(out, *found);
+    out["notes"] = assembly->notes;
+    if (!arguments.json) print(*report.loaded, *assembly, *found);
+  }
+  if (arguments.json) std::cout << out.dump(2) << "\n";
+  return found ? exit_done : exit_bad_input;
+}
+
+}  // namespace gyro

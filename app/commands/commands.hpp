@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/simulation/bad_key.hpp"
+#include "io/case/case.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// Exit codes of the program (README.md).
+enum ExitCode : int {
+  exit_done = 0,
+  exit_internal = 1,
+  exit_bad_input = 2,
+  exit_check_failed = 3,
+  exit_stopped = 4,
+  exit_output = 5,
+  exit_no_device = 6,
+  exit_interrupted = 75,
+};
+
+/// A case and how it is changed from the command line.
+struct CaseArguments {
+  std::filesystem::path file;
+  std::vector<std::string> set;
+  bool json = false;
+};
+
+struct RunArguments {
+  CaseArguments input;
+  std::optional<std::filesystem::path> out;
+  std::string device = "auto";  ///< auto, cpu or cuda
+  int threads = 0;              ///< 0: all cores
+  bool resume = false, overwrite = false, quiet = false;
+  std::optional<double> until, max_walltime;  ///< [s]
+};
+
+struct VerifyArguments {
+  std::string filter;    ///< regular expression searched in the names of checks; empty: all
+  bool nightly = false;  ///< the long cases as well
+  bool json = false;
+};
+
+struct BenchAccuracyArguments {
+  std::string scene, knob;                      ///< empty: all
+  std::optional<std::filesystem::path> folder;  ///< of scenes and reference; none: the source folder of this build
+  int threads = 1;                              ///< runs side by side, each on one thread
+  bool quick = false, make_reference = false, json = false;
+};
+
+/// Each command returns an exit code; bad input and failures come as exceptions of core/base/errors.hpp.
+int run_command(const RunArguments& arguments);
+int check_command(const CaseArguments& arguments);
+int describe_command(const std::string& key, bool json_schema);
+int liners_command(const CaseArguments& arguments, const std::filesystem::path& out);
+int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
+int verify_command(const VerifyArguments& arguments);
+int bench_accuracy_command(const BenchAccuracyArguments& arguments);
+/// The series of a run as CSV, to a file or standard output; names carry the unit.
+int export_command(const std::filesystem::path& run, const std::optional<std::filesystem::path>& out);
+/// The drivetrain of a case, or of the case of a run, as an FMI 2.0 co-simulation FMU.
+/// @param out  default: the case's name with .fmu, in the working directory
+int export_fmu_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
+int init_command(const std::string& name);
+int info_command(bool json);
+
+/// Does `work` on a case; blames the place in the file for a key that turns out bad. @throws BadInput
+template <class Work>
+auto located(const CaseArguments& arguments, Work&& work) {
+  try {
+    return work();
+  } catch (const BadKey& bad) {
+    throw BadInput(to_string(problem_at(arguments.file, arguments.set, bad.key, bad.what())));
+  }
+}
+
+/// Makes a directory to write into, with those above it. @throws OutputError
+void make_directory(const std::filesystem::path& path);
+
+/// Loads a case; prints every problem to standard error, one a line, and returns nothing if there is one.
+std::optional<Case> load_or_complain(const CaseArguments& arguments);
+
+}  // namespace gyro

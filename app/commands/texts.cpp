@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/commands.hpp"
+#include "app/version.hpp"
+#include "core/base/errors.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+namespace gyro {
+
+std::optional<Case> load_or_complain(const CaseArguments& arguments) {
+  CaseReport report = load_case(arguments.file, arguments.set);
+  for (const CaseProblem& problem : report.problems) std::cerr << to_string(problem) << "\n";
+  return report.loaded;
+}
+
+int describe_command(const std::string& key, bool schema) {
+  std::cout << (schema ? json_schema() : describe(key));
+  return exit_done;
+}
+
+int init_command(const std::string& name) {
+  static const std::pair<const char*, const char*> templates[] = {
+      {"quickstart", GYRO_CASES "/quickstart.yaml"},
+      {"primary", GYRO_CASES "/mkii-62-75/case.yaml"},
+      {"compression", GYRO_CASES "/laboratory/platen.yaml"}};
+  for (const auto& [known, file] : templates) {
+    if (name != known) continue;
+    std::ifstream in(file);
+    if (!in)
+      throw BadInput(std::string(file) + ": cannot be read; the templates lie in the source folder of this build");
+    std::cout << in.rdbuf();
+    return exit_done;
+  }
+  throw BadInput("--template " + name + ": unknown; quickstart, primary or compression");
+}
+
+int info_command(bool json) {
+  nlohmann::json j {
+    {"version", version::number}, {"git", version::git}, {"build_type", version::build_type},
+        {"compiler", version::compiler}, {"precisions", {"mixed", "double"}},
+#if defined(GYRO_WITH_CUDA)
+        {"cuda", {{"compiled", true}}},
+#else
+        {"cuda", {{"compiled", false}}},
+#endif
+    {
+      "threads", std::thread::hardware_concurrency()
+    }
+  };
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; std::getline(cpus, line);)
+    if (line.rfind("model name", 0) == 0) {
+      j["cpu"] = line.substr(line.find(':') + 2);
+      break;
+    }
+  j["libraries"] = nlohmann::json::parse(GYRO_LIBRARIES);
+  if (json) {
+    std::cout << j.dump(2) << "\n";
+    return exit_done;
+  }
+  for (const auto& [key, value] : j.items()) std::cout << key << ": " << value.dump() << "\n";
+  return exit_done;
+}
+
+}  // namespace gyro

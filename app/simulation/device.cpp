@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/simulation/device.hpp"
+
+#include "core/base/errors.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#if defined(GYRO_WITH_CUDA)
+#include "gpu/make_cuda_dem.hpp"
+#endif
+
+namespace gyro {
+
+Device choose_device(const std::string& asked, int threads) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  Device device{false, threads > 0 ? threads : cores, "cpu"};
+#if defined(GYRO_WITH_CUDA)
+  if (asked == "cuda" || (asked == "auto" && cuda_device_is_there())) {
+    device.cuda = true;
+    device.name = cuda_device_report();
+  }
+#else
+  if (asked == "cuda") throw NoDevice("this gyrosim was built without CUDA; --device cpu is accepted");
+#endif
+  return device;
+}
+
+std::unique_ptr<Dem> make_dem(const Device& device, const Scene& scene, Precision precision) {
+#if defined(GYRO_WITH_CUDA)
+  if (device.cuda) return make_cuda_dem(scene, precision);
+#endif
+  return make_cpu_dem(scene, precision, device.threads);
+}
+
+}  // namespace gyro

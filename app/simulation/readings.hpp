@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/saved_state.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace gyro {
+
+/// Means over one gyration.
+struct GyrationMeans {
+  double begin = 0, end = 0;  ///< [s]
+  double power = 0;           ///< crushing [W]
+  double holdup = 0;          ///< [kg]
+  double discharged = 0;      ///< in this gyration [kg]
+};
+
+template <>
+struct RowOf<GyrationMeans> : MadeOf<double> {};
+
+/// What a crusher shows while it runs as it did before.
+struct SteadyState {
+  double from = 0;                       ///< [s]
+  double power = 0;                      ///< mean since then [W]
+  double throughput = 0;                 ///< [kg/s]
+  std::optional<double> residence_time;  ///< mean hold-up / throughput (Little's law) [s]; none without discharge
+};
+
+/// When a drift counts as none.
+struct SteadyLimits {
+  std::size_t min_gyrations = 10;
+  double holdup_drift = 0.05;  ///< of its fitted line over the time looked at / mean [-]
+  double power_change = 0.05;  ///< between the two halves of that time / mean [-]
+};
+
+/// The earliest gyration from which on, to the end of the run, hold-up and power have no drift: the line fitted
+/// to hold-up changes by less than holdup_drift of its mean, and the mean powers of both halves differ by less than
+/// power_change or two standard errors. None when there is no such gyration, or too few follow it: the run was
+/// not long enough to say so. A chamber that fills slower than this shows passes: look at the hold-up.
+std::optional<SteadyState> steady_state(const std::vector<GyrationMeans>& gyrations, const SteadyLimits& limits = {});
+
+/// Collects windows to whole gyrations, by the angle of the eccentric.
+class GyrationReader {
+ public:
+  /// @param angle  of the eccentric at the window's end [rad]
+  void add(double time, double length, double angle, double power, double holdup, double discharged_so_far);
+  const std::vector<GyrationMeans>& gyrations() const { return done_; }
+
+  void save(SavedState& to) const;
+  void restore(const SavedState& from);
+
+ private:
+  GyrationMeans now_;
+  std::vector<GyrationMeans> done_;
+  double summed_ = 0;      ///< [s]
+  double turns_ = 0;       ///< whole ones, at the begin of this gyration
+  double discharged_ = 0;  ///< by then [kg]
+};
+
+}  // namespace gyro

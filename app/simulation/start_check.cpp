@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/simulation/start_check.hpp"
+
+#include "core/base/errors.hpp"
+#include "core/dem/contact_laws.hpp"
+#include "core/feed/bed.hpp"
+#include "core/feed/wall_distance.hpp"
+#include "core/scene/wall_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+namespace gyro {
+namespace {
+
+/// Speed at which a contact of the start state may throw its two bodies apart [m/s]. Beds of rock settled under
+/// one metre of their own kind stay below 0.1 m/s.
+constexpr double max_speed = 0.2;
+
+/// A contact of two bodies at rest: Hertz's energy 8/15 E* sqrt(R*) d^2.5 becomes 1/2 m* v^2.
+struct Contact {
+  double youngs, radius, mass, overlap;
+
+  double factor() const { return 16.0 / 15 * youngs * std::sqrt(radius) / mass; }
+  double speed() const { return std::sqrt(factor() * std::pow(overlap, 2.5)); }
+  double max_overlap() const { return std::pow(max_speed * max_speed / factor(), 0.4); }
+};
+
+double mass_of(const NewParticle& p) {
+  return p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
+}
+
+void expect_gentle(const Contact& contact, double smaller_radius, const std::string& bodies) {
+  if (!(contact.speed() > max_speed)) return;
+  std::ostringstream message;
+  message.precision(3);
+  message << bodies << " by " << contact.overlap * 1e3 << " mm, " << contact.overlap / smaller_radius
+          << " of the radius, and would be thrown apart at " << contact.speed() << " m/s; an overlap of up to "
+          << contact.max_overlap() * 1e3 << " mm is accepted";
+  throw BadInput(message.str());
+}
+
+/// A particle of the start state and where it comes from.
+struct Placed {
+  const NewParticle* particle;
+  std::size_t rock;
+  Index number;  ///< in its rock
+};
+
+/// Pairs of a rock that bonds join, as (smaller number, larger number).
+std::set<std::pair<Index, Index>> bonded_pairs(const NewRock& rock) {
+  std::set<std::pair<Index, Index>> pairs;
+  for (const NewBond& b : rock.bonds) pairs.insert({std::min(b.i, b.j), std::max(b.i, b.j)});
+  return pairs;
+}
+
+void check_pairs(const Scene& scene, std::span<const NewRock> rocks) {
+  const double youngs = contact_law<double>(scene, scene.rock_material, scene.rock_material).youngs;
+  Bed bed;
+  std::vector<Placed> placed;
+  for (std::size_t r = 0; r < rocks.size(); ++r) {
+    const auto bonded = bonded_pairs(rocks[r]);
+    for (std::size_t k = 0; k < rocks[r].particles.size(); ++k) {
+      const NewParticle& p = rocks[r].particles[k];
+      const auto number = static_cast<Index>(k);
+      for (const Index other : bed.overlapped(p.position, p.radius)) {
+        const Placed& q = placed[static_cast<std::size_t>(other)];
+        if (q.rock == r && bonded.contains({q.number, number})) continue;
+        const double a = p.radius, b = q.particle->radius, m = mass_of(p), n = mass_of(*q.particle);
+        const Contact contact{youngs, a * b / (a + b), m * n / (m + n),
+                              a + b - norm(p.position - q.particle->position)};
+        expect_gentle(contact, std::min(a, b),
+                      "particles " + std::to_string(q.particle->id) + " and " + std::to_string(p.id) + " overlap");
+      }
+      bed.add(p.position, p.radius);
+      placed.push_back({&p, r, number});
+    }
+  }
+}
+
+void check_wall(const Scene& scene, const Wall& wall, std::span<const NewRock> rocks, double largest) {
+  const WallDistance distance(wall, 2 * largest);
+  const WallPose pose = pose_of(wall, 0, {});
+  const double youngs = contact_law<double>(scene, scene.rock_material, wall.material).youngs;
+  for (const NewRock& rock : rocks)
+    for (const NewParticle& p : rock.particles) {
+      const double overlap = p.radius - distance.at(pose, p.position);
+      if (overlap <= 0) continue;
+      const std::string name = "particle " + std::to_string(p.id);
+      if (overlap > p.radius)
+        throw BadInput(name + " lies behind wall " + wall.name + "; a place in front of it is accepted");
+      expect_gentle({youngs, p.radius, mass_of(p), overlap}, p.radius, name + " overlaps wall " + wall.name);
+    }
+}
+
+}  // namespace
+
+void check_start(const Scene& scene, std::span<const NewRock> rocks) {
+  double largest = 0;
+  for (const NewRock& rock : rocks)
+    for (const NewParticle& p : rock.particles) largest = std::max(largest, p.radius);
+  if (!(largest > 0)) return;
+  check_pairs(scene, rocks);
+  for (const Wall& wall : scene.walls) check_wall(scene, wall, rocks, largest);
+}
+
+}  // namespace gyro

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/hd.hpp"
+#include "core/laws/bond.hpp"
+#include "core/math/quat.hpp"
+#include "core/math/select.hpp"
+#include "core/state/particles.hpp"
+
+// Lanes: how a kernel that works on one bond reads and writes memory. OneLane is one bond, for a GPU
+// thread and for tests; PackLanes (pack_lanes.hpp) is N neighbouring bonds, for a CPU core. Both do
+// the same arithmetic in the same order for every bond, so their results agree to the bit.
+
+namespace gyro {
+
+/// The bond law with its constants spread over the lanes of R.
+template <class R, class Real>
+GYRO_HD BondLaw<R> spread_law(const BondLaw<Real>& law) {
+  return {R(law.normal_stiffness), R(law.shear_stiffness),  R(law.normal_modulus),
+          R(law.shear_modulus),    R(law.tensile_strength), R(law.shear_strength),
+          R(law.damping),          R(law.friction),         R(law.dt)};
+}
+
+/// Adds a bond's loads to the rows of its two particles.
+template <class Real>
+GYRO_HD inline void add_bond_load(Load* rows, Index i, Index j, const BondLoad<Real>& load, Real slip_work) {
+  const Vec3d force = cast<double>(load.force);
+  Load& a = rows[i];
+  a.force -= force;
+  a.damped += static_cast<double>(load.damped);
+  a.torque += cast<double>(load.torque_i);
+  a.slipped += static_cast<double>(slip_work);
+  Load& c = rows[j];
+  c.force += force;
+  c.torque += cast<double>(load.torque_j);
+}
+
+/// One bond.
+struct OneLane {
+  template <class T>
+  using Number = T;
+  static constexpr int count = 1;
+  Index n;
+
+  template <class T>
+  GYRO_HD T load(const T* column) const {
+    return column[n];
+  }
+  GYRO_HD Vec3d vector(const Sphere* rows, Index row) const { return rows[row].x; }
+  GYRO_HD Vec3d vector(const Motion* rows, Index row) const { return rows[row].v; }
+  GYRO_HD Vec3d vector(const AngularMotion* rows, Index row) const { return rows[row].w; }
+  GYRO_HD Quatd quaternion(const Quatd* rows, Index row) const { return rows[row]; }
+
+  template <class To, class From>
+  GYRO_HD To cast(const From& x) const {
+    return static_cast<To>(x);
+  }
+  template <class To, class From>
+  GYRO_HD Vec3<To> cast(const Vec3<From>& x) const {
+    return gyro::cast<To>(x);
+  }
+  template <class Real>
+  GYRO_HD BondLaw<Real> spread(const BondLaw<Real>& law) const {
+    return law;
+  }
+
+  template <class Real>
+  GYRO_HD bool equal(std::int32_t state, std::int32_t value) const {
+    return state == value;
+  }
+  GYRO_HD bool any(bool m) const { return m; }
+  GYRO_HD bool any_below(std::int32_t state, std::int32_t limit) const { return state < limit; }
+  GYRO_HD bool any_below_and_not(std::int32_t state, std::int32_t limit, std::int32_t other) const {
+    return state < limit && state != other;
+  }
+  GYRO_HD bool test(bool m, int) const { return m; }
+  GYRO_HD Index index(int) const { return n; }
+  template <class T>
+  GYRO_HD T value(const T& x, int) const {
+    return x;
+  }
+
+  template <class Real>
+  GYRO_HD void add(Load* rows, Index i, Index j, std::int32_t, const BondLoad<Real>& load, Real slip_work) const {
+    add_bond_load(rows, i, j, load, slip_work);
+  }
+};
+
+}  // namespace gyro

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/saved_state.hpp"
+#include "core/scene/accounts.hpp"
+#include "core/scene/new_rock.hpp"
+#include "core/scene/scene.hpp"
+#include "core/scene/snapshot.hpp"
+#include "core/scene/window.hpp"
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gyro {
+
+/// A discrete element scene on one executor and in one precision. Calls are cheap at the
+/// scale of a window and virtual only there.
+class Dem {
+ public:
+  virtual ~Dem() = default;
+  /// Adds rocks between windows. Ids must be new.
+  virtual void insert(std::span<const NewRock> rocks) = 0;
+  /// Removes particles between windows. @param ids particles, whole fragments.
+  virtual void remove(std::span<const ParticleId> ids) = 0;
+  /// Where the walls stand now. One per wall; before the first window as at time 0.
+  virtual std::vector<WallPose> wall_poses() const = 0;
+  /// Wall seconds by phase of the step, since the start.
+  virtual std::vector<std::pair<std::string, double>> phase_seconds() const = 0;
+  /// Advances by one window; every wall moves as its motion says, gyrating ones along `path`.
+  /// @throws StoppedByGuard if memory for contacts cannot be had
+  virtual void advance(const Window& window, const MantlePath& path) = 0;
+
+  virtual std::vector<WallLoad> wall_loads() const = 0;  ///< of the last window, one per wall
+  virtual EnergyTerms energy() const = 0;                ///< now
+  virtual Extremes extremes() const = 0;                 ///< now
+  virtual Counts counts() const = 0;
+  virtual Vec3d momentum() const = 0;                  ///< [kg m/s]
+  virtual ParticleSnapshot particles() const = 0;      ///< now, fragments labelled
+  virtual BondSnapshot bonds() const = 0;              ///< now
+  virtual std::vector<Breakage> take_breakages() = 0;  ///< since the last call, ordered by time, i, j
+  /// Since the last call; nothing unless Scene::wall_impulses. Their sum is that of the walls' loads, but for half of
+  /// the last step's, which those count in the next window.
+  virtual std::vector<WallImpulse> take_wall_impulses() = 0;
+
+  /// What must be kept to go on bit for bit, between windows; on any executor, in this precision.
+  virtual SavedState save() const = 0;
+  /// Replaces everything by what a scene of the same case has saved. @throws BadInput as SavedState::get
+  virtual void restore(const SavedState& saved) = 0;
+};
+
+}  // namespace gyro

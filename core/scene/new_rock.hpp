@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/hd.hpp"
+#include "core/math/vec3.hpp"
+
+#include <vector>
+
+namespace gyro {
+
+/// A sphere to be put into the scene.
+struct NewParticle {
+  ParticleId id;
+  Vec3d position, velocity, angular_velocity;
+  double radius, density;
+};
+
+/// A bond to be put into the scene, between two particles of the same NewRock.
+struct NewBond {
+  Index i, j;       ///< positions in NewRock::particles, i < j
+  double length;    ///< L0 [m]
+  double radius;    ///< Rb [m]
+  double strength;  ///< factor on both strengths [-]
+};
+
+/// A rock to be put into the scene. Bonds are grouped by colour as in RockTemplate.
+struct NewRock {
+  RockId id;
+  std::vector<NewParticle> particles;
+  std::vector<NewBond> bonds;
+  std::vector<Index> colour_begin;
+};
+
+}  // namespace gyro

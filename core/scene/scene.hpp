@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/hd.hpp"
+#include "core/math/quat.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gyro {
+
+/// Elastic solid. E = 2 G (1 + nu).
+struct Material {
+  std::string name;
+  double density = 0;        ///< [kg/m3]
+  double shear_modulus = 0;  ///< G [Pa]
+  double poisson_ratio = 0;  ///< nu [-]
+};
+
+/// Surface properties of a pair of materials.
+struct PairProperties {
+  double friction = 0;          ///< Coulomb coefficient [-]
+  double restitution = 1;       ///< of a normal impact, in (0, 1] [-]
+  double rolling_friction = 0;  ///< rolling torque = coefficient x R* x normal force [-]
+};
+
+/// Infinite plane; rock is on the side of the normal.
+struct PlaneShape {
+  Vec3d point;
+  Vec3d normal;  ///< unit
+};
+
+/// A point of a liner's profile.
+struct ProfilePoint {
+  double r, z;  ///< distance from the axis, height [m]
+};
+
+/// Surface of revolution about the body's z axis: an open polyline in the (r, z) half-plane.
+/// Rock is on the left of the direction of travel.
+struct ProfileShape {
+  std::vector<ProfilePoint> points;
+};
+
+/// Triangles, closed or open. Both sides can be touched.
+struct MeshShape {
+  std::vector<Vec3d> vertices;
+  std::vector<Vec3<Index>> triangles;
+};
+
+struct Fixed {};
+struct LinearMotion {
+  Vec3d velocity;  ///< [m/s]
+};
+struct RotationMotion {
+  Vec3d axis;  ///< unit
+  Vec3d point;
+  double speed;  ///< [rad/s]
+};
+/// Translation on a horizontal circle, starting at the drawn place: r (sin wt, 1 - cos wt, 0).
+struct CircularMotion {
+  double radius, period;  ///< [m], [s]
+};
+/// Gyration about the pivot (0, 0, pivot_height): the axis leans so that the mantle is nearest to
+/// the concave at the azimuth of the eccentric angle. `lift` moves the mantle along its axis, which
+/// is how the setting is imposed.
+struct GyrationMotion {
+  double eccentricity;  ///< half the throw, in the plane z = 0 [m]
+  double pivot_height;  ///< [m]
+  double lift = 0;      ///< [m]
+};
+
+/// A rigid wall. Its shape is given in its own frame, which is the world at rest.
+struct Wall {
+  std::string name;
+  std::variant<PlaneShape, ProfileShape, MeshShape> shape;
+  std::variant<Fixed, LinearMotion, RotationMotion, CircularMotion, GyrationMotion> motion;
+  Index material = 0;
+};
+
+/// Where a wall is and how it moves: x_world = origin + rotate(turn, x_body),
+/// velocity at a world point p = velocity + spin x (p - origin).
+struct WallPose {
+  Vec3d origin{0, 0, 0};
+  Quatd orientation{1, 0, 0, 0};
+  Vec3d velocity{0, 0, 0};          ///< of the body's origin [m/s]
+  Vec3d angular_velocity{0, 0, 0};  ///< [rad/s]
+};
+
+/// Parameters of all bonds of a scene. k_n = normal_stiffness + normal_modulus/L0 of the bond,
+/// k_s likewise: a case gives one part or the other.
+struct BondParameters {
+  double normal_stiffness = 0;  ///< per area [Pa/m]
+  double shear_stiffness = 0;   ///< per area [Pa/m]
+  double tensile_strength = 0;  ///< sigma_c [Pa]
+  double shear_strength = 0;    ///< tau_c [Pa]
+  double damping = 0;           ///< fraction of critical per mode of the bond [-]
+  double normal_modulus = 0;    ///< [Pa]
+  double shear_modulus = 0;     ///< [Pa]
+};
+
+/// What no step may pass without being noted: beyond, the contacts' geometry or the bonds' law fails.
+///
+/// A sheet is passed unseen from a particle and a wall that each move by 0.2 R in a step only beyond an
+/// overlap of 0.8 R: from 0.2 R in front of it to as far behind it is 0.4 R.
+struct StepLimits {
+  double overlap_ratio = 0.8;  ///< overlap / smaller radius [-]
+  double speed_ratio = 0.2;    ///< v dt / R [-]
+  double rotation = 0.1;       ///< spin x dt [rad]
+  double bond_rotation = 0.5;  ///< 2 sin(theta/2), theta the turn of a bond's ends against each other [rad]
+};
+
+/// Everything about a DEM scene that does not change while it runs.
+struct Scene {
+  std::vector<Material> materials;
+  std::vector<PairProperties> pairs;  ///< square table, materials x materials
+  Index rock_material = 0;
+  std::optional<BondParameters> bonds;  ///< none: unbreakable spheres, no bond memory or pass
+  std::vector<Wall> walls;
+  Vec3d gravity{0, 0, -9.81};
+  double dt = 0;              ///< [s]
+  int substeps = 1;           ///< steps over which contact and wall forces are held, bonds move on
+  double largest_radius = 0;  ///< of any particle that will ever be fed [m]
+  double neighbour_skin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
+  bool rolling = false;       ///< any pair has rolling friction
+  StepLimits limits;
+  bool wall_impulses = false;  ///< Dem::take_wall_impulses() has something to give
+};
+
+}  // namespace gyro

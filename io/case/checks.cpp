@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/errors.hpp"
+#include "io/case/parts.hpp"
+#include "io/schema/values.hpp"
+
+#include <algorithm>
+
+namespace gyro {
+namespace {
+
+/// Names of the settings of a section, for "a, b or c".
+std::vector<std::string_view> names_in(const Setting* section) {
+  std::vector<std::string_view> names;
+  if (section != nullptr)
+    for (const Setting& child : section->children) names.push_back(child.name);
+  return names;
+}
+
+/// Looks a user's name up; says so when it is not there.
+bool expect_name(const Setting* section, const std::string& name, const std::string& what, Mark mark,
+                 CaseProblems& log) {
+  const std::vector<std::string_view> names = names_in(section);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  const std::string_view meant = closest(name, names);
+  log.add(mark, "there is no " + what + " " + in_quotes(name) + "; " +
+                    (meant.empty() ? "" : "did you mean " + in_quotes(meant) + "? ") +
+                    (names.empty() ? "none is given" : choice(names) + " is accepted"));
+  return false;
+}
+
+/// Pairs that can touch must have surface properties; each pair is given once.
+void check_contacts(const Setting& root, CaseProblems& log) {
+  const Setting* materials = root.find("materials");
+  const Setting* contacts = root.find("contacts");
+  if (materials == nullptr || (contacts == nullptr && !root.lacks("contacts"))) return;
+  if (materials->find("rock") == nullptr)
+    log.add(materials->mark, "there is no material \"rock\", of which all particles are made; add one to materials");
+  std::vector<std::pair<std::string, std::string>> given;
+  bool all_known = contacts == nullptr || contacts->lost.empty();
+  for (const Setting& contact : contacts == nullptr ? std::vector<Setting>{} : contacts->children) {
+    const std::size_t slash = contact.name.find('/');
+    const std::string a = contact.name.substr(0, slash), b = contact.name.substr(slash + 1);
+    all_known &= expect_name(materials, a, "material", contact.mark, log);
+    if (b != a) all_known &= expect_name(materials, b, "material", contact.mark, log);
+    const std::pair<std::string, std::string> pair = std::minmax(a, b);
+    if (std::find(given.begin(), given.end(), pair) != given.end())
+      log.add(contact.mark,
+              "the pair " + in_quotes(contact.name) + " is given in both orders; one of them is accepted");
+    given.push_back(pair);
+  }
+  // A misspelt pair is probably the one that would be missed; without particles nothing can touch.
+  if (!all_known || (root.find("feed") == nullptr && root.find("particles") == nullptr)) return;
+  std::vector<std::string> partners = {"rock"};
+  if (const Setting* walls = root.find("walls"))
+    for (const Setting& wall : walls->children)
+      if (const Setting* material = wall.find("material")) partners.push_back(material->texts[0]);
+  std::sort(partners.begin(), partners.end());
+  partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+  for (const std::string& partner : partners) {
+    const std::pair<std::string, std::string> pair = std::minmax<std::string>("rock", partner);
+    if (materials->find(partner) != nullptr && std::find(given.begin(), given.end(), pair) == given.end())
+      log.add(
+          contacts != nullptr ? contacts->mark : root.mark,
+          "contacts lacks \"rock/" + partner + "\", which can touch; friction and restitution of the pair are needed");
+  }
+}
+
+void expect_direction(const Setting* vector, const std::string& what, CaseProblems& log) {
+  if (vector == nullptr) return;
+  const std::vector<double>& v = vector->numbers;
+  if (v[0] == 0 && v[1] == 0 && v[2] == 0)
+    log.add(vector->mark, what + " has no direction; a vector other than [0, 0, 0] is accepted");
+}
+
+void check_shape(const Setting& wall, bool profile, CaseProblems& log) {
+  const bool mesh = wall.find("stl") != nullptr, plane = wall.find("plane") != nullptr;
+  if (profile && (wall.name == "concave" || wall.name == "mantle")) {
+    if (mesh || plane)
+      log.add((mesh ? wall.find("stl") : wall.find("plane"))->mark,
+              "walls." + wall.name + " has two shapes, this one and crusher.profile; exactly one of them is accepted");
+    return;
+  }
+  if (mesh == plane && (mesh || (wall.lacks("stl") && wall.lacks("plane"))))
+    log.add(wall.mark, "walls." + wall.name + (mesh ? " has two shapes" : " has no shape") +
+                           "; exactly one of stl or plane is accepted");
+}
+
+void check_walls(const Setting& root, CaseProblems& log) {
+  const Setting* walls = root.find("walls");
+  if (walls == nullptr) return;
+  const bool profile = root.find("crusher.profile") != nullptr;
+  for (const Setting& wall : walls->children) {
+    if (const Setting* material = wall.find("material"); material != nullptr && root.find("materials") != nullptr)
+      expect_name(root.find("materials"), material->texts[0], "material", material->mark, log);
+    check_shape(wall, profile, log);
+    expect_direction(wall.find("plane.normal"), "plane.normal", log);
+    expect_direction(wall.find("motion.rotation.axis"), "rotation.axis", log);
+    const Setting* motion = wall.find("motion");
+    const bool gyrates = motion != nullptr && !motion->texts.empty() && motion->texts[0] == "gyration";
+    if (gyrates && root.lacks("crusher"))
+      log.add(motion->mark, "motion: gyration needs the section crusher; add it or let the wall be fixed");
+    if (gyrates && wall.find("plane") != nullptr)
+      log.add(motion->mark, "a plane cannot gyrate; a wall from stl or from crusher.profile is accepted");
+  }
+}
+
+/// Whether the figures of a motor can be those of one motor.
+void check_motor(const Setting& motor, CaseProblems& log) {
+  const auto number = [&](std::string_view key) {
+    const Setting* setting = motor.find(key);
+    return setting == nullptr ? 0 : setting->numbers.at(0);
+  };
+  if (const Setting* voltage = motor.find("voltage"); voltage != nullptr && motor.find("voltage_file") != nullptr)
+    log.add(voltage->mark, "voltage and voltage_file exclude each other; one of them is accepted");
+  const Setting* model = motor.find("model");
+  if (model == nullptr || model->texts[0] != "double_cage") return;
+  const DoubleCageMotor plate{number("rated_power"), number("synchronous_speed"), number("rated_slip"),
+                              number("breakdown_ratio"), number("starting_ratio")};
+  if (!(plate.rated_power > 0 && plate.synchronous_speed > 0 && plate.rated_slip > 0 && plate.breakdown_ratio > 0 &&
+        plate.starting_ratio > 0))
+    return;  // a problem of its own
+  try {
+    solve_cages(plate);
+  } catch (const BadInput& problem) {
+    log.add(motor.mark, problem.what());
+  }
+}
+
+void check_machine(const Setting& root, CaseProblems& log) {
+  if (const Setting* crusher = root.find("crusher")) {
+    const Setting* arm = crusher->find("eccentricity");
+    const Setting* pivot = crusher->find("pivot_height");
+    if (arm != nullptr && pivot != nullptr && arm->numbers[0] >= pivot->numbers[0])
+      log.add(arm->mark, "the eccentricity is not smaller than pivot_height; a fraction of it is accepted");
+  }
+  const Setting* drive = root.find("drivetrain");
+  if (drive == nullptr) return;
+  if (root.lacks("crusher"))
+    log.add(drive->mark, "drivetrain has nothing to turn; the section crusher is needed beside it");
+  if (const Setting* motor = drive->find("motor")) check_motor(*motor, log);
+  const Setting* model = drive->find("motor.model");
+  const bool constant = model != nullptr && model->texts[0] == "constant_speed";
+  const Setting* motor = drive->find("inertia.motor");
+  const Setting* eccentric = drive->find("inertia.eccentric");
+  if (model != nullptr && !constant && motor != nullptr && eccentric != nullptr &&
+      motor->numbers[0] + eccentric->numbers[0] == 0)
+    log.add(drive->mark, "drivetrain.inertia is zero; a positive inertia of motor or eccentric is accepted");
+  if (const Setting* start = drive->find("start"); constant && start != nullptr && start->texts[0] == "rest")
+    log.add(start->mark, "a motor of constant speed cannot start from rest; start: running is accepted");
+}
+
+/// Which of the three forms of feed is meant, and whether another one is mixed in.
+void check_feed(const Setting& root, CaseProblems& log) {
+  const Setting* feed = root.find("feed");
+  if (feed == nullptr) return;
+  if (root.lacks("rocks")) log.add(feed->mark, "feed has nothing to feed; the section rocks is needed beside it");
+  const auto has = [&](std::string_view key) { return feed->find(key) != nullptr; };
+  const auto refuse = [&](const std::string& form, std::initializer_list<std::string_view> others) {
+    for (const std::string_view other : others)
+      if (const Setting* extra = feed->find(other); extra != nullptr && extra->given)
+        log.add(extra->mark, "feed." + std::string(other) + " does not go with feed." + form +
+                                 "; exactly one of initial with rate, mass, or rocks with at is accepted");
+  };
+  if (has("rocks") || has("at")) {
+    refuse(has("rocks") ? "rocks" : "at", {"initial", "initial_top", "rate", "mass", "above"});
+    if (const Setting* start = feed->find("start"); start != nullptr && start->numbers[0] != 0)
+      log.add(start->mark, "placed rocks are there at t = 0; feed.start: 0 is accepted");
+    if (feed->lacks("rocks") || feed->lacks("at"))
+      log.add(feed->mark, "feed.rocks and feed.at go together; both are accepted");
+    return;
+  }
+  if (has("mass")) {
+    refuse("mass", {"initial", "initial_top", "rate"});
+  } else if (feed->lacks("initial") && feed->lacks("rate") && feed->lacks("mass")) {
+    log.add(feed->mark, "feed says no amount; exactly one of initial with rate, mass, or rocks with at is accepted");
+  }
+  if (const Setting* above = feed->find("above")) {
+    if (!expect_name(root.find("walls"), above->texts[0], "wall", above->mark, log)) return;
+    if (root.find("walls")->find(above->texts[0])->find("plane") != nullptr)
+      log.add(above->mark, "a plane has no opening to feed above; a wall from stl or from crusher.profile is accepted");
+  } else if (feed->lacks("above")) {
+    log.add(feed->mark, "feed does not say above which wall; feed.above: a name of walls is accepted");
+  }
+}
+
+/// The smaller of two sizes of a law must be the smaller one.
+void expect_order(const Setting& root, std::string_view section, std::string_view small, std::string_view large,
+                  CaseProblems& log) {
+  const Setting* law = root.find(section);
+  const Setting* a = law == nullptr ? nullptr : law->find(small);
+  const Setting* b = law == nullptr ? nullptr : law->find(large);
+  if (a != nullptr && b != nullptr && !(a->numbers[0] < b->numbers[0]))
+    log.add(a->mark,
+            std::string(small) + " is not smaller than " + std::string(large) + "; a smaller size is accepted");
+}
+
+/// Keys that refine one form of a section do not go with the other.
+void refuse_beside(const Setting& root, const std::string& section, const std::string& form, const std::string& other,
+                   std::initializer_list<const char*> keys, CaseProblems& log) {
+  const Setting* said = root.find(section);
+  if (said == nullptr || said->find(form) == nullptr) return;
+  for (const char* key : keys) {
+    if (const Setting* extra = said->find(key))
+      log.add(extra->mark, section + "." + key + " does not go with " + section + "." + form + "; it goes with " +
+                               section + "." + other);
+  }
+}
+
+void check_rocks(const Setting& root, CaseProblems& log) {
+  expect_order(root, "rocks.sizes.rosin_rammler", "min", "max", log);
+  expect_order(root, "rocks.sizes.gates_gaudin_schuhmann", "min", "xmax", log);
+  const Setting* minimum = root.find("rocks.sizes.vendor.min");
+  const Setting* opening = root.find("rocks.sizes.vendor.feed_opening");
+  if (minimum != nullptr && opening != nullptr && !(minimum->numbers[0] < 0.1 * opening->numbers[0]))
+    log.add(minimum->mark,
+            "min is not below 0.1 of feed_opening, which half of the feed passes; a smaller size is accepted");
+  if (const Setting* passing = root.find("rocks.sizes.passing")) {
+    const std::vector<double>& v = passing->numbers;
+    for (std::size_t k = 2; k + 1 < v.size(); k += 2) {
+      if (!(v[k] > v[k - 2]))
+        log.add(passing->item_marks[k], "sizes do not rise; each larger than the one before is accepted");
+      if (v[k + 1] < v[k - 1])
+        log.add(passing->item_marks[k + 1], "passing falls; each share at least the one before is accepted");
+    }
+    if (v[1] != 0)
+      log.add(passing->item_marks[1], "the smallest size passes something; a first share of 0 is accepted");
+    if (v.back() != 1)
+      log.add(passing->item_marks.back(), "the largest size does not pass all; a last share of 1 is accepted");
+  }
+  refuse_beside(root, "rocks.fill", "ratio", "sizes", {"exponent"}, log);
+  refuse_beside(root, "rocks.fill", "sizes", "ratio", {"surface"}, log);
+  refuse_beside(root, "rocks.shapes", "files", "cylinder", {"loading_angle"}, log);
+  refuse_beside(root, "rocks.shapes", "procedural", "cylinder", {"loading_angle"}, log);
+  refuse_beside(root, "rocks.shapes", "files", "procedural", {"elongation", "flatness", "angularity", "roughness"},
+                log);
+  refuse_beside(root, "rocks.shapes", "procedural", "files", {"corners"}, log);
+  const Setting* scatter = root.find("bonds.strength_scatter");
+  const Setting* mean = scatter == nullptr ? nullptr : scatter->find("mean");
+  const Setting* range = scatter == nullptr ? nullptr : scatter->find("range");
+  const double middle = mean == nullptr ? 1 : mean->numbers[0];  // of the paper's literal scatter
+  if (range != nullptr && scatter->lost.empty() && (middle < range->numbers[0] || middle > range->numbers[1]))
+    log.add(range->mark, "the mean of strength_scatter is not inside the range; a range around it is accepted");
+}
+
+/// One bonded rock, two planes, one of which moves straight on, and a cylinder where the test needs one.
+void check_laboratory(const Setting& root, CaseProblems& log) {
+  const Setting* laboratory = root.find("laboratory");
+  if (laboratory == nullptr) return;
+  if (root.find("crusher") != nullptr)
+    log.add(laboratory->mark, "laboratory measures one rock, not a crusher; leave out one of the two sections");
+  if (root.find("bonds") == nullptr)
+    log.add(laboratory->mark, "laboratory measures when bonds break; the section bonds is accepted with it");
+  for (const char* key : {"fixed", "moving"}) {
+    const Setting* name = laboratory->find(key);
+    if (name == nullptr || !expect_name(root.find("walls"), name->texts[0], "wall", name->mark, log)) continue;
+    const Setting& wall = *root.find("walls")->find(name->texts[0]);
+    if (wall.find("plane") == nullptr) log.add(name->mark, "a platen is a plane; a wall with plane is accepted");
+    if (std::string_view(key) == "moving" && wall.find("motion.linear") == nullptr)
+      log.add(name->mark, "the moving platen does not move; a wall with motion: {linear: ...} is accepted");
+  }
+  const Setting* test = laboratory->find("test");
+  if (test != nullptr && test->texts[0] != "platen" && root.find("rocks.shapes.cylinder") == nullptr)
+    log.add(test->mark, "a " + test->texts[0] + " test needs a cylinder; rocks.shapes.cylinder is accepted");
+}
+
+void check_run(const Setting& root, CaseProblems& log) {
+  const Setting* step = root.find("time.step");
+  const Setting* interval = root.find("coupling.interval");
+  if (step != nullptr && !step->numbers.empty() && interval != nullptr && step->numbers[0] > interval->numbers[0])
+    log.add(step->mark, "time.step is longer than coupling.interval; a step that fits into it is accepted");
+  const Setting* bonds = root.find("particles.bonds");
+  if (bonds != nullptr && root.lacks("bonds"))
+    log.add(bonds->mark, "particles.bonds needs the section bonds; their stiffness and strengths are accepted there");
+}
+
+}  // namespace
+
+void check_settings(const Setting& root, CaseProblems& log) {
+  check_contacts(root, log);
+  check_walls(root, log);
+  check_machine(root, log);
+  check_feed(root, log);
+  check_rocks(root, log);
+  check_laboratory(root, log);
+  check_run(root, log);
+}
+
+}  // namespace gyro

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case/parts.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+// Whether a run may go on with a case: what its checkpoint was written for, against what is asked now.
+
+namespace gyro {
+namespace {
+
+/// Value of a node on one line.
+std::string value_text(const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::list) return node.kind == YamlNode::Kind::map ? "{}" : node.text;
+  std::string text = "[";
+  for (const YamlNode& item : node.items) text += (text.size() > 1 ? ", " : "") + value_text(item);
+  return text + "]";
+}
+
+void flatten(const YamlNode& node, const std::string& path, std::map<std::string, std::string>& values) {
+  if (node.kind != YamlNode::Kind::map || node.entries.empty()) {
+    values[path] = value_text(node);
+    return;
+  }
+  for (const YamlEntry& entry : node.entries)
+    flatten(entry.value, path.empty() ? entry.key : path + "." + entry.key, values);
+}
+
+std::map<std::string, std::string> values_of(const std::string& resolved) {
+  std::map<std::string, std::string> values;
+  flatten(parse_yaml(resolved).root, "", values);
+  std::erase_if(values, [](const auto& value) {
+    return value.first == "time.duration" || std::string_view(value.first).starts_with("output.");
+  });
+  return values;
+}
+
+/// FNV-1a, 64 bits, of a file's bytes.
+std::uint64_t digest_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (auto byte = std::istreambuf_iterator<char>(stream); byte != std::istreambuf_iterator<char>(); ++byte)
+    hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3;
+  return hash;
+}
+
+}  // namespace
+
+std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other) {
+  const std::map<std::string, std::string> a = values_of(resolved), b = values_of(other);
+  const auto value = [](const auto& values, const std::string& key) {
+    const auto found = values.find(key);
+    return found != values.end() ? found->second : "not there";
+  };
+  for (const auto* values : {&a, &b})
+    for (const auto& [key, text] : *values)
+      if (value(a, key) != value(b, key)) return CaseDifference{key, value(a, key), value(b, key)};
+  return {};
+}
+
+std::string input_digests(const Setting& setting) {
+  std::string lines;
+  const KeyType type = setting.key ? setting.key->type : KeyType::section;
+  if (type == KeyType::file || type == KeyType::files)
+    for (const std::string& file : setting.texts) {
+      char digest[24];
+      std::snprintf(digest, sizeof digest, "%016llx ", static_cast<unsigned long long>(digest_of(file)));
+      lines += digest + file + "\n";
+    }
+  for (const Setting& child : setting.children) lines += input_digests(child);
+  return lines;
+}
+
+}  // namespace gyro

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case/csv.hpp"
+#include "io/case/parts.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace gyro {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A table whose rows are checked one by one, with the place for messages.
+class TableChecker {
+ public:
+  TableChecker(const fs::path& file, const CsvTable& table, CaseProblems& problems)
+      : file_(file), table_(table), problems_(problems) {
+    for (const CsvProblem& problem : table.problems)
+      problems.add_in_file(file, problem.line, problem.column, problem.message);
+  }
+  /// Says what is wrong with row k unless `good`.
+  void expect(bool good, std::size_t k, const std::string& message) {
+    if (!good) problems_.add_in_file(file_, table_.lines.at(k), 1, message);
+  }
+  void expect_rows(std::size_t minimum) {
+    if (table_.rows.size() < minimum)
+      problems_.add_in_file(file_, 1, 1,
+                            "the table has " + std::to_string(table_.rows.size()) + " rows; at least " +
+                                std::to_string(minimum) + " are accepted");
+  }
+  void expect_rising(std::size_t column) {
+    for (std::size_t k = 1; k < table_.rows.size(); ++k)
+      expect(table_.rows[k][column] > table_.rows[k - 1][column], k,
+             table_.header[column] + " does not rise; each row larger than the one before is accepted");
+  }
+
+ private:
+  const fs::path& file_;
+  const CsvTable& table_;
+  CaseProblems& problems_;
+};
+
+/// The file of a setting if it can be opened; that it is missing is already known otherwise.
+std::optional<fs::path> table_file(const Setting* setting) {
+  std::error_code error;
+  if (setting == nullptr || !fs::exists(setting->texts.at(0), error) || fs::is_directory(setting->texts[0], error))
+    return std::nullopt;
+  return fs::path(setting->texts[0]);
+}
+
+std::vector<LinerRow> read_liners(const fs::path& file, CaseProblems& problems) {
+  const CsvTable table = read_csv(file, {"z_m", "mantle_radius_m", "concave_radius_m"});
+  TableChecker checker(file, table, problems);
+  if (!table.problems.empty()) return {};
+  checker.expect_rows(2);
+  checker.expect_rising(0);
+  std::vector<LinerRow> liners;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const LinerRow row{table.rows[k][0], table.rows[k][1], table.rows[k][2]};
+    checker.expect(row.mantle_radius > 0, k, "the mantle's radius is not positive; more than 0 m is accepted");
+    checker.expect(row.concave_radius > row.mantle_radius, k,
+                   "there is no gap; a concave radius larger than the mantle's is accepted");
+    liners.push_back(row);
+  }
+  if (liners.size() >= 2 && (liners.front().z > 0 || liners.back().z <= 0))
+    problems.add_in_file(
+        file, table.lines[0], 1,
+        "the discharge plane z = 0 is not in the profile; heights from 0 m or below to above 0 m are accepted");
+  return liners;
+}
+
+std::vector<PassingPoint> read_sieves(const fs::path& file, CaseProblems& problems) {
+  const CsvTable table = read_csv(file, {"size_mm", "passing_percent"});
+  TableChecker checker(file, table, problems);
+  if (!table.problems.empty()) return {};
+  checker.expect_rows(2);
+  checker.expect_rising(0);
+  std::vector<PassingPoint> points;
+  const std::size_t n = table.rows.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double size = table.rows[k][0], percent = table.rows[k][1];
+    checker.expect(size > 0, k, "the size is not positive; more than 0 mm is accepted");
+    checker.expect(k == 0 || percent >= table.rows[k - 1][1], k,
+                   "passing falls; each row at least the one before is accepted");
+    checker.expect(k > 0 || percent == 0, k, "the first sieve passes something; 0 percent is accepted");
+    checker.expect(k + 1 < n || percent == 100, k, "the last sieve does not pass all; 100 percent is accepted");
+    points.push_back({size * 1e-3, percent * 1e-2});
+  }
+  return points;
+}
+
+CurveMotor read_motor(const fs::path& file, CaseProblems& problems) {
+  const CsvTable table = read_csv(file, {"speed_rpm", "torque_Nm"});
+  TableChecker checker(file, table, problems);
+  if (!table.problems.empty()) return {};
+  checker.expect_rows(2);
+  checker.expect_rising(0);
+  CurveMotor motor;
+  for (const std::vector<double>& row : table.rows) {
+    motor.speeds.push_back(row[0] * std::numbers::pi / 30);
+    motor.torques.push_back(row[1]);
+  }
+  if (const std::size_t n = table.rows.size(); n >= 2) {
+    checker.expect(motor.speeds[0] <= 0, 0,
+                   "the curve does not begin at standstill; a first speed of 0 rpm is accepted");
+    checker.expect(motor.torques[n - 1] <= 0, n - 1,
+                   "the motor still drives at its last speed; a curve that ends at 0 Nm or below is accepted");
+    checker.expect(motor.torques[n - 2] > 0, n - 2,
+                   "the motor does not drive here; a positive torque in every row but the last is accepted");
+  }
+  return motor;
+}
+
+VoltageInput read_voltage(const fs::path& file, CaseProblems& problems) {
+  const CsvTable table = read_csv(file, {"time_s", "voltage_ratio"});
+  TableChecker checker(file, table, problems);
+  if (!table.problems.empty()) return {};
+  checker.expect_rows(1);
+  checker.expect_rising(0);
+  VoltageInput voltage;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    checker.expect(k > 0 || table.rows[k][0] == 0, k,
+                   "the table does not begin at t = 0; a first time of 0 s is accepted");
+    checker.expect(table.rows[k][1] >= 0, k, "the voltage is negative; a ratio of 0 or more is accepted");
+    voltage.times.push_back(table.rows[k][0]);
+    voltage.ratios.push_back(table.rows[k][1]);
+  }
+  return voltage;
+}
+
+/// Without a feed every particle that will ever be is in the table.
+void check_probes(const Setting& root, const CaseTables& tables, CaseProblems& problems) {
+  const Setting* probes = root.find("output.probes");
+  if (probes == nullptr || root.find("feed") != nullptr || tables.particles.empty()) return;
+  for (std::size_t k = 0; k < probes->numbers.size(); ++k) {
+    const auto is_it = [id = probes->numbers[k]](const StartParticle& p) { return p.id == id; };
+    if (std::none_of(tables.particles.begin(), tables.particles.end(), is_it))
+      problems.add(probes->item_marks[k],
+                   "there is no particle " + number_text(probes->numbers[k]) + "; an id of particles.file is accepted");
+  }
+}
+
+}  // namespace
+
+CaseTables read_tables(const Setting& root, CaseProblems& problems) {
+  CaseTables tables;
+  if (const auto file = table_file(root.find("crusher.profile"))) tables.liners = read_liners(*file, problems);
+  if (const auto file = table_file(root.find("rocks.sizes.sieves"))) tables.sieves = read_sieves(*file, problems);
+  if (const auto file = table_file(root.find("drivetrain.motor.file"))) tables.motor = read_motor(*file, problems);
+  if (const auto file = table_file(root.find("drivetrain.motor.voltage_file")))
+    tables.voltage = read_voltage(*file, problems);
+  if (table_file(root.find("drivetrain.fmu"))) read_drive_fmu(root, tables, problems);
+  if (table_file(root.find("particles.file"))) read_start_state(*root.find("particles"), tables, problems);
+  check_probes(root, tables, problems);
+  return tables;
+}
+
+}  // namespace gyro

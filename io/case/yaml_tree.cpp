@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case/yaml_tree.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+#include <sstream>
+
+namespace gyro {
+namespace {
+
+constexpr std::size_t deepest = 64;  // a case file nests 6 deep
+
+struct TooDeep {};
+
+/// Builds the tree from yaml-cpp's events, which still know of anchors, aliases, tags and double
+/// keys; yaml-cpp's own node tree has lost them.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(Mark first, YamlDocument& document) : first_(first), document_(document) {}
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnAnchor(const YAML::Mark&, const std::string&) override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    refuse_anchor(mark, anchor);
+    attach(node(YamlNode::Kind::null, mark));
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    problem(place(mark), "aliases (*name) are not read; write the value out");
+    attach(node(YamlNode::Kind::null, mark));
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    refuse_anchor(mark, anchor);
+    refuse_tag(mark, tag);
+    YamlNode scalar = node(YamlNode::Kind::scalar, mark);
+    scalar.text = value;
+    attach(std::move(scalar));
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(YamlNode::Kind::list, mark, tag, anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(YamlNode::Kind::map, mark, tag, anchor);
+  }
+  void OnMapEnd() override { close(); }
+
+  Mark place(const YAML::Mark& mark) const {
+    if (mark.is_null()) return first_;
+    const bool first_line = mark.line == 0;
+    return {first_.source, first_.line + mark.line, mark.column + (first_line ? first_.column : 1)};
+  }
+  void problem(Mark mark, std::string message) { document_.problems.push_back({mark, std::move(message)}); }
+
+ private:
+  /// A list or map that is still open.
+  struct Frame {
+    YamlNode node;
+    bool has_key = false;  ///< a map's key has come, its value has not
+    bool drop = false;     ///< the value belongs to a key that is refused
+    std::string key;
+    Mark key_mark;
+  };
+
+  YamlNode node(YamlNode::Kind kind, const YAML::Mark& mark) const {
+    YamlNode made;
+    made.kind = kind;
+    made.mark = place(mark);
+    return made;
+  }
+  void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (anchor != 0) problem(place(mark), "anchors (&name) are not read; write the value out where it is needed");
+  }
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    if (!tag.empty() && tag != "?" && tag != "!")
+      problem(place(mark), "tags (!" + tag.substr(tag.find_last_of(":!") + 1) + ") are not read; leave the tag out");
+  }
+  void open(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+    refuse_anchor(mark, anchor);
+    refuse_tag(mark, tag);
+    if (frames_.size() >= deepest) {
+      problem(place(mark), "nested too deep; at most " + std::to_string(deepest) + " levels are accepted");
+      throw TooDeep{};
+    }
+    frames_.push_back({node(kind, mark), false, false, {}, {}});
+  }
+  void close() {
+    YamlNode done = std::move(frames_.back().node);
+    frames_.pop_back();
+    attach(std::move(done));
+  }
+  void attach(YamlNode child) {
+    if (frames_.empty()) {
+      document_.root = std::move(child);
+    } else if (Frame& frame = frames_.back(); frame.node.kind == YamlNode::Kind::list) {
+      frame.node.items.push_back(std::move(child));
+    } else if (!frame.has_key) {
+      take_key(frame, child);
+    } else {
+      if (!frame.drop) frame.node.entries.push_back({frame.key, frame.key_mark, std::move(child)});
+      frame.has_key = false;
+    }
+  }
+  void take_key(Frame& frame, const YamlNode& key) {
+    frame.has_key = true;
+    frame.drop = true;
+    if (key.kind != YamlNode::Kind::scalar)
+      return problem(key.mark, "a key must be a name; lists, maps and null are not accepted as keys");
+    if (key.text == "<<") return problem(key.mark, "merge keys (<<) are not read; write the keys out");
+    if (const YamlEntry* before = frame.node.find(key.text))
+      return problem(key.mark, "key \"" + key.text + "\" is given twice (first at " +
+                                   std::to_string(before->mark.line) + ":" + std::to_string(before->mark.column) +
+                                   "); give it once");
+    frame.drop = false;
+    frame.key = key.text;
+    frame.key_mark = key.mark;
+  }
+
+  Mark first_;
+  YamlDocument& document_;
+  std::vector<Frame> frames_;
+};
+
+/// Length of the UTF-8 sequence at the front of a text, 0 if it is none (RFC 3629: no overlong
+/// forms, no surrogates, nothing above U+10FFFF).
+std::size_t sequence_length(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+  const auto follows = [&](std::size_t k, unsigned low = 0x80, unsigned high = 0xBF) {
+    return byte(k) >= low && byte(k) <= high;
+  };
+  const unsigned lead = byte(0);
+  if (lead == 0) return 0;
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return follows(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const unsigned low = lead == 0xE0 ? 0xA0 : 0x80, high = lead == 0xED ? 0x9F : 0xBF;
+    return follows(1, low, high) && follows(2) ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const unsigned low = lead == 0xF0 ? 0x90 : 0x80, high = lead == 0xF4 ? 0x8F : 0xBF;
+    return follows(1, low, high) && follows(2) && follows(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+/// Where a text stops being UTF-8, if it does.
+bool is_utf8(std::string_view text, Mark& mark) {
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(text);
+    if (length == 0) return false;
+    if (text.front() == '\n') {
+      ++mark.line;
+      mark.column = 1;
+    } else {
+      ++mark.column;
+    }
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+void parse_into(std::string_view text, TreeBuilder& builder, Mark first) {
+  std::istringstream stream{std::string(text)};
+  YAML::Parser parser(stream);
+  if (!parser.HandleNextDocument(builder)) return builder.problem(first, "no YAML document; a map of keys is accepted");
+  YamlDocument second;
+  TreeBuilder ignored(first, second);
+  if (parser.HandleNextDocument(ignored))
+    builder.problem(second.root.mark, "a second YAML document begins here; a case is one document");
+}
+
+}  // namespace
+
+YamlEntry* YamlNode::find(std::string_view key) {
+  for (YamlEntry& entry : entries)
+    if (entry.key == key) return &entry;
+  return nullptr;
+}
+
+const YamlEntry* YamlNode::find(std::string_view key) const {
+  return const_cast<YamlNode*>(this)->find(key);
+}
+
+YamlDocument parse_yaml(std::string_view text, Mark first) {
+  YamlDocument document;
+  document.root.mark = first;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (Mark bad = first; !is_utf8(text, bad)) {
+    document.problems.push_back({bad, "not a text in UTF-8; save the file as UTF-8"});
+    return document;
+  }
+  TreeBuilder builder(first, document);
+  try {
+    parse_into(text, builder, first);
+  } catch (const YAML::Exception& error) {
+    builder.problem(builder.place(error.mark), "not valid YAML: " + error.msg + "; `key: value` lines are accepted");
+  } catch (const TooDeep&) {
+    // already among the problems
+  }
+  return document;
+}
+
+}  // namespace gyro

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/hdf5/internal.hpp"
+
+#include <array>
+#include <stdexcept>
+
+namespace gyro::hdf5 {
+namespace {
+
+struct Extent {
+  int rank;
+  std::array<hsize_t, 2> size;  ///< rows, columns (1 for a one-dimensional dataset)
+};
+
+Extent extent_of(const Handle& dataset, const std::string& where) {
+  const Handle space = own(H5Dget_space(dataset.get()), where, "read the shape");
+  Extent extent{H5Sget_simple_extent_ndims(space.get()), {0, 1}};
+  if (extent.rank < 1 || extent.rank > 2) throw std::logic_error(where + ": not a table");
+  check(H5Sget_simple_extent_dims(space.get(), extent.size.data(), nullptr), where, "read the shape");
+  return extent;
+}
+
+}  // namespace
+
+Dataset::Dataset(Handle handle, std::string where) : handle_(std::move(handle)), where_(std::move(where)) {}
+
+std::int64_t Dataset::rows() const {
+  return static_cast<std::int64_t>(extent_of(handle_, where_).size[0]);
+}
+
+std::int64_t Dataset::columns() const {
+  return static_cast<std::int64_t>(extent_of(handle_, where_).size[1]);
+}
+
+Number Dataset::number() const {
+  silence_library();
+  const Handle type = own(H5Dget_type(handle_.get()), where_, "read the type");
+  for (const Number number :
+       {Number::float32, Number::float64, Number::uint8, Number::int32, Number::uint32, Number::int64})
+    if (H5Tequal(type.get(), file_type(number)) > 0) return number;
+  throw std::logic_error(where_ + ": not one of our numbers");
+}
+
+void Dataset::append(const void* values, std::size_t total, Number in_memory) {
+  if (total == 0) return;
+  silence_library();
+  Extent extent = extent_of(handle_, where_);
+  if (total % extent.size[1] != 0) throw std::logic_error(where_ + ": not a whole number of rows");
+  const std::array<hsize_t, 2> start{extent.size[0], 0};
+  const std::array<hsize_t, 2> count{total / extent.size[1], extent.size[1]};
+  extent.size[0] += count[0];
+  check(H5Dset_extent(handle_.get(), extent.size.data()), where_, "grow");
+  const Handle in_file = own(H5Dget_space(handle_.get()), where_, "read the shape");
+  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), where_,
+        "select rows");
+  const Handle rows = own(H5Screate_simple(extent.rank, count.data(), nullptr), where_, "select rows");
+  check(H5Dwrite(handle_.get(), memory_type(in_memory), rows.get(), in_file.get(), H5P_DEFAULT, values), where_,
+        "write");
+}
+
+void Dataset::truncate(std::int64_t rows) {
+  silence_library();
+  Extent extent = extent_of(handle_, where_);
+  extent.size[0] = static_cast<hsize_t>(rows);
+  check(H5Dset_extent(handle_.get(), extent.size.data()), where_, "shorten");
+}
+
+void Dataset::flush() {
+  silence_library();
+  check(H5Dflush(handle_.get()), where_, "write");
+}
+
+void Dataset::read(void* values, std::size_t count, Number in_memory) const {
+  silence_library();
+  if (count > 0)
+    check(H5Dread(handle_.get(), memory_type(in_memory), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), where_, "read");
+}
+
+void Dataset::set_attribute(std::string_view name, std::string_view value) {
+  silence_library();
+  const Handle type = string_type();
+  const Handle space = own(H5Screate(H5S_SCALAR), where_, "make an attribute");
+  const Handle attribute =
+      own(H5Acreate2(handle_.get(), std::string(name).c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
+          where_, "make an attribute");
+  const std::string text(value);
+  const char* pointer = text.c_str();
+  check(H5Awrite(attribute.get(), type.get(), &pointer), where_, "write an attribute");
+}
+
+std::string Dataset::string_attribute(std::string_view name) const {
+  silence_library();
+  const Handle attribute =
+      own(H5Aopen(handle_.get(), std::string(name).c_str(), H5P_DEFAULT), where_, "read the attribute");
+  return read_string(attribute, where_);
+}
+
+}  // namespace gyro::hdf5

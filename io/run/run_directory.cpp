@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/run/run_directory.hpp"
+
+#include "core/base/errors.hpp"
+#include "io/run/replace_file.hpp"
+#include "io/run/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <regex>
+#include <vector>
+
+namespace gyro {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every name that a run writes; --overwrite touches nothing else.
+constexpr std::array own_files{"results.h5", "fields.h5", "fields.xdmf",   "checkpoint.h5", "summary.json",
+                               "log.txt",    "case.yaml", "particles.pvd", "bonds.pvd",     "walls.pvd"};
+// A case.yaml alone may be the user's own; one of these says that a run was here.
+constexpr std::array marks{"results.h5", "summary.json", "log.txt", "checkpoint.h5"};
+
+bool has_any(const fs::path& directory, const auto& names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* name) { return fs::exists(directory / name); });
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, const std::error_code& error) {
+  throw OutputError(path.string() + ": cannot " + what + ": " + error.message());
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) fail(path, "remove", error);
+}
+
+void remove_run(const fs::path& directory) {
+  for (const char* name : own_files) {
+    remove_file(directory / name);
+    remove_file(directory / (std::string(name) + ".tmp"));
+  }
+  const fs::path snapshots = directory / "snapshots";
+  if (!fs::is_directory(snapshots)) return;
+  const std::regex frame("(particles|bonds|walls)_[0-9]{6,}\\.vtp(\\.tmp)?");
+  std::vector<fs::path> frames;
+  for (const auto& entry : fs::directory_iterator(snapshots))
+    if (std::regex_match(entry.path().filename().string(), frame)) frames.push_back(entry.path());
+  for (const fs::path& path : frames) remove_file(path);
+  std::error_code not_empty;
+  fs::remove(snapshots, not_empty);  // stays when there is something of the user's in it
+}
+
+void make_directory(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) fail(path, "make the directory", error);
+}
+
+/// Finds out before the run, not after an hour.
+void prove_writable(const fs::path& directory) {
+  const fs::path probe = directory / ".gyrosim-probe";
+  replace_file(probe, "");
+  remove_file(probe);
+}
+
+/// Number of runs/<stem>-NNN, or -1 for another name.
+int run_number(const std::string& name, const std::string& stem) {
+  if (name.size() < stem.size() + 4 || name.compare(0, stem.size() + 1, stem + "-") != 0) return -1;
+  const std::string digits = name.substr(stem.size() + 1);
+  const bool number = digits.size() <= 9 &&
+                      std::all_of(digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  return number ? std::stoi(digits) : -1;
+}
+
+RunDirectory next_in_runs(const std::string& case_name) {
+  const fs::path runs = "runs";
+  make_directory(runs);
+  int highest = 0;
+  for (const auto& entry : fs::directory_iterator(runs))
+    highest = std::max(highest, run_number(entry.path().filename().string(), case_name));
+  // Another process may take the same number: making a directory says which of them was first.
+  for (int next = highest + 1;; ++next) {
+    std::array<char, 16> number;
+    std::snprintf(number.data(), number.size(), "-%03d", next);
+    const fs::path path = runs / (case_name + number.data());
+    std::error_code error;
+    if (fs::create_directory(path, error)) return {path, RunDirectory::State::fresh, 0};
+    if (error) fail(path, "make the directory", error);
+  }
+}
+
+/// What there is at a path, without a change to it.
+RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
+  if (fs::exists(path) && !fs::is_directory(path))
+    throw BadInput("--out " + path.string() + " is a file; a directory, which may be new, is accepted");
+  const bool has_run = has_any(path, marks);
+  const EarlierRun earlier = read_summary(path).value_or(EarlierRun{"unfinished", 0});
+  if (!has_run && has_any(path, own_files))
+    throw BadInput("--out " + path.string() +
+                   " holds files named as a run names its own, but no run; another directory is accepted");
+  if (!has_run || overwrite) return {path, RunDirectory::State::fresh, 0};
+  if (earlier.status == "done") return {path, RunDirectory::State::finished, earlier.simulated_seconds};
+  if (!resume)
+    throw BadInput("--out " + path.string() + " holds a run that is not finished (" + earlier.status +
+                   "); --resume goes on, --overwrite starts again, another directory is accepted");
+  return {path, RunDirectory::State::half_done, earlier.simulated_seconds};
+}
+
+RunDirectory open_named(const fs::path& path, bool resume, bool overwrite) {
+  const RunDirectory found = find_named(path, resume, overwrite);
+  // A finished run may lie in an archive that nobody may write.
+  if (found.state == RunDirectory::State::finished) return found;
+  make_directory(path);
+  prove_writable(path);
+  if (overwrite) remove_run(path);
+  return found;
+}
+
+void check_request(const RunDirectoryRequest& request) {
+  if (request.resume && request.overwrite)
+    throw BadInput("--resume and --overwrite contradict each other; one of them is accepted");
+  if (!request.out && (request.resume || request.overwrite))
+    throw BadInput(std::string(request.resume ? "--resume" : "--overwrite") +
+                   " does not say which run; it is accepted together with --out DIR");
+}
+
+}  // namespace
+
+RunDirectory find_run_directory(const RunDirectoryRequest& request) {
+  check_request(request);
+  try {
+    return request.out ? find_named(*request.out, request.resume, request.overwrite) : RunDirectory{};
+  } catch (const fs::filesystem_error& error) {
+    throw OutputError(error.what());
+  }
+}
+
+RunDirectory open_run_directory(const RunDirectoryRequest& request) {
+  check_request(request);
+  try {
+    return request.out ? open_named(*request.out, request.resume, request.overwrite) : next_in_runs(request.case_name);
+  } catch (const fs::filesystem_error& error) {
+    throw OutputError(error.what());
+  }
+}
+
+}  // namespace gyro

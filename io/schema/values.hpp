@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/schema/schema.hpp"
+
+namespace gyro {
+
+/// Reads single values and lists as their keys demand, and says what is wrong with them.
+class ValueReader {
+ public:
+  explicit ValueReader(std::vector<MarkedProblem>& problems) : problems_(problems) {}
+
+  /// Reads a key's value into setting; false if it is not what the key accepts, which is then said.
+  /// The key is no section.
+  /// @param path  of the value in the file, for messages
+  bool read(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+
+  bool read_word(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  /// Says that a value is a list where a map is wanted, or the like; returns false.
+  bool wrong_form(const Key& key, const YamlNode& node, const std::string& path);
+  void problem(Mark mark, std::string message) { problems_.push_back({mark, std::move(message)}); }
+
+ private:
+  bool read_text(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  bool read_number(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  bool read_numbers(Setting& setting, const Key& key, const YamlNode& node, const std::string& path, std::size_t count);
+  bool read_interval(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  bool read_integers(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  bool read_texts(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  bool read_passing(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  bool wrong_count(const Key& key, const YamlNode& node, const std::string& path);
+
+  std::vector<MarkedProblem>& problems_;
+};
+
+/// What a key accepts, as the beginning of "... is accepted".
+std::string form_of(const Key& key);
+
+/// Names of the keys directly below a section: a, b or c
+std::string names_below(std::string_view section);
+
+/// a, b or c
+std::string choice(const std::vector<std::string_view>& words);
+
+std::string in_quotes(std::string_view text);
+
+}  // namespace gyro

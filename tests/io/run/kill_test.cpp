@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/math/random.hpp"
+#include "io/run/results.hpp"
+#include "io/run/state_file.hpp"
+#include "tests/catch.hpp"
+#include "tests/io/run/scratch.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+#include <csignal>
+
+using namespace gyro;
+
+namespace {
+
+constexpr int channels = 24;
+
+ResultsContent content_of_writer() {
+  ResultsContent content;
+  for (int c = 0; c < channels; ++c) content.series.push_back({"channel_" + std::to_string(c), "1"});
+  content.breakage = true;
+  return content;
+}
+
+/// Writes rows and flushes every few until it is killed. Tells through the pipe when it has begun.
+[[noreturn]] void write_forever(const std::filesystem::path& path, int pipe_end) {
+  ResultsFile results(path, content_of_writer());
+  for (int row = 0;; ++row) {
+    results.append_series(std::vector<double>(channels, row));
+    const double t = row;
+    results.append_breakages(std::vector<Breakage>{{t, BreakMode::shear, {t, t, t}, 1, 2, 3, t}});
+    if (row % 7 == 0) results.flush();
+    if (row == 70 && ::write(pipe_end, "b", 1) != 1) ::_exit(1);
+  }
+}
+
+/// Every channel must hold 0, 1, 2, ... whatever its length.
+std::size_t count_good_rows(const hdf5::Dataset& dataset) {
+  const std::vector<double> values = dataset.read();
+  for (std::size_t row = 0; row < values.size(); ++row) REQUIRE(values[row] == static_cast<double>(row));
+  return values.size();
+}
+
+SavedState state_number(int number) {
+  SavedState state;
+  for (int c = 0; c < 20; ++c)
+    state.put("columns/" + std::to_string(c), std::vector<double>(5000, static_cast<double>(number)));
+  return state;
+}
+
+[[noreturn]] void write_states_forever(const std::filesystem::path& path, int pipe_end) {
+  for (int number = 1;; ++number) {
+    write_state(path, state_number(number));
+    if (number == 1 && ::write(pipe_end, "b", 1) != 1) ::_exit(1);
+  }
+}
+
+/// Starts `write`, which tells through a pipe when it has begun; waits, looks, kills it.
+template <class Write, class Look>
+void kill_writer_after(useconds_t microseconds, const Write& write, const Look& look) {
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) write(ends[1]);
+  char begun = 0;
+  REQUIRE(::read(ends[0], &begun, 1) == 1);
+  ::usleep(microseconds);
+  look();
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(ends[0]);
+  ::close(ends[1]);
+  REQUIRE(WIFSIGNALED(status));
+}
+
+}  // namespace
+
+TEST_CASE("Results can be read while they are written, and read and repaired after a kill") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  for (int kill = 0; kill < 20; ++kill) {
+    CAPTURE(kill);
+    const double wait = 60e3 * uniform(1, Stream::place, static_cast<std::uint64_t>(kill), 0);
+    kill_writer_after(
+        static_cast<useconds_t>(wait), [&](int pipe_end) { write_forever(path, pipe_end); },
+        [&] {
+          const hdf5::File growing = hdf5::File::open(path);  // another process writes it at this moment
+          CHECK(count_good_rows(growing.dataset("/series/channel_0")) >= 70);
+        });
+    std::size_t rows = 0;
+    {
+      const hdf5::File file = hdf5::File::open(path);
+      rows = count_good_rows(file.dataset("/series/channel_0"));
+      CHECK(rows >= 70);
+      count_good_rows(file.dataset("/series/channel_23"));
+      count_good_rows(file.dataset("/breakage/energy"));
+    }
+    hdf5::File::modify(path).close();
+    CHECK(count_good_rows(hdf5::File::open(path).dataset("/series/channel_0")) == rows);
+  }
+}
+
+TEST_CASE("A checkpoint is whole whenever its writer is killed, and at any moment before") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "checkpoint.h5";
+  const auto check_whole = [&] {
+    const SavedState found = read_state(path);
+    const int number = static_cast<int>(found.get<double>("columns/0").at(0));
+    CHECK(number >= 1);
+    CHECK(found.columns().size() == 20);
+    for (const auto& [name, column] : found.columns())
+      CHECK(std::get<std::vector<double>>(column.numbers) == std::vector<double>(5000, number));
+  };
+  for (int kill = 0; kill < 20; ++kill) {
+    CAPTURE(kill);
+    const double wait = 30e3 * uniform(2, Stream::place, static_cast<std::uint64_t>(kill), 0);
+    kill_writer_after(
+        static_cast<useconds_t>(wait), [&](int pipe_end) { write_states_forever(path, pipe_end); }, check_whole);
+    check_whole();
+  }
+}

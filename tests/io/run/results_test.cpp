@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/run/results.hpp"
+
+#include "core/base/errors.hpp"
+#include "tests/catch.hpp"
+#include "tests/io/run/scratch.hpp"
+
+#include <fstream>
+#include <iterator>
+
+using namespace gyro;
+
+namespace {
+
+ResultsContent full_content() {
+  ResultsContent content;
+  content.record = {"Test é",
+                    "case: {seed: 7}\n" + std::string(100000, '#'),
+                    "0.1.0",
+                    "abc123",
+                    "cpu",
+                    "mixed",
+                    (std::uint64_t{1} << 63) + 5};
+  content.series = {{"time", "s"}, {"mantle_force", "N", 3}, {"particles", "1", 1, hdf5::Number::int64}};
+  content.ledger = {{"time", "s"}, {"kinetic", "J"}};
+  content.performance = {{"wall_seconds", "s"}};
+  content.breakage = true;
+  content.product_sizes = {0.01, 0.02, 0.04};
+  content.curve_figures = {{"mass", "kg"}, {"p80", "m"}};
+  content.liners = {{"mantle", 5000}};
+  return content;
+}
+
+void append_rows(ResultsFile& results, int from, int to) {
+  for (int row = from; row < to; ++row) {
+    const double t = 0.001 * row;
+    results.append_series(std::vector{t, 0.1 + row, 0.2 + row, 0.3 + row, 1e9 + row});
+    results.append_ledger(std::vector{t, 2 * t});
+  }
+}
+
+void write_run(const std::filesystem::path& path, int rows) {
+  ResultsFile results(path, full_content());
+  append_rows(results, 0, rows);
+  results.close();
+}
+
+std::string bytes(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("Results read back as they were written") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  const int rows = 2500;  // more than two chunks
+  write_run(path, rows);
+
+  const hdf5::File file = hdf5::File::open(path);
+  const ResultsContent content = full_content();
+  CHECK(file.string_attribute("/case", "title") == content.record.title);
+  CHECK(file.string_attribute("/case", "resolved_yaml") == content.record.resolved_yaml);
+  CHECK(file.string_attribute("/case", "git_hash") == "abc123");
+  CHECK(file.string_attribute("/case", "device") == "cpu");
+  CHECK(file.integer_attribute("/case", "seed") == content.record.seed);
+  CHECK(file.children("/series") == std::vector<std::string>{"mantle_force", "particles", "time"});
+  CHECK(file.dataset("/series/mantle_force").string_attribute("units") == "N");
+
+  const std::vector<double> time = file.dataset("/series/time").read();
+  const std::vector<double> force = file.dataset("/series/mantle_force").read();
+  const std::vector<double> particles = file.dataset("/series/particles").read();
+  REQUIRE(time.size() == rows);
+  REQUIRE(force.size() == 3 * rows);
+  REQUIRE(particles.size() == rows);
+  bool equal = true;
+  for (int row = 0; row < rows; ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    equal = equal && time[r] == 0.001 * row && force[3 * r] == 0.1 + row && force[3 * r + 1] == 0.2 + row &&
+            force[3 * r + 2] == 0.3 + row && particles[r] == 1e9 + row;
+  }
+  CHECK(equal);
+  CHECK(file.dataset("/ledger/kinetic").rows() == rows);
+}
+
+TEST_CASE("Breakages, product and liner maps read back as they were written") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  const std::vector<Breakage> breakages{{0.5, BreakMode::tension, {1, 2, 3}, 7, 4000000000u, 9, 0.25},
+                                        {0.6, BreakMode::shear, {4, 5, 6}, 8, 11, 12, 0.75}};
+  const std::vector<double> pressure(5000, 1.5e6), work(5000, 0.5);
+  {
+    ResultsFile results(path, full_content());
+    results.append_breakages(breakages);
+    results.append_product(1.0, std::vector{0.1, 0.4, 1.0}, std::vector{7.0, 0.03});
+    results.append_product(2.0, std::vector{0.2, 0.5, 1.0}, std::vector{8.0, 0.02});
+    results.append_holdup(2.0, std::vector{0.0, 0.1, 1.0}, std::vector{9.0, 0.05});
+    results.append_liner("mantle", 1.0, pressure, work);
+    results.close();
+  }
+  const hdf5::File file = hdf5::File::open(path);
+  CHECK(file.dataset("/breakage/time").read() == std::vector{0.5, 0.6});
+  CHECK(file.dataset("/breakage/mode").read() == std::vector{1.0, 2.0});
+  CHECK(file.dataset("/breakage/position").read() == std::vector<double>{1, 2, 3, 4, 5, 6});
+  CHECK(file.dataset("/breakage/rock").read() == std::vector{7.0, 8.0});
+  CHECK(file.dataset("/breakage/i").read() == std::vector{4e9, 11.0});
+  CHECK(file.dataset("/breakage/j").read() == std::vector{9.0, 12.0});
+  CHECK(file.dataset("/breakage/energy").read() == std::vector{0.25, 0.75});
+  CHECK(file.dataset("/product/sizes").read() == std::vector{0.01, 0.02, 0.04});
+  CHECK(file.dataset("/product/time").read() == std::vector{1.0, 2.0});
+  CHECK(file.dataset("/product/passing").columns() == 3);
+  CHECK(file.dataset("/product/passing").read() == std::vector{0.1, 0.4, 1.0, 0.2, 0.5, 1.0});
+  CHECK(file.dataset("/product/p80").read() == std::vector{0.03, 0.02});
+  CHECK(file.dataset("/holdup/mass").read() == std::vector{9.0});
+  CHECK(file.dataset("/holdup/passing").read() == std::vector{0.0, 0.1, 1.0});
+  CHECK(file.dataset("/liners/mantle/pressure").read() == pressure);
+  CHECK(file.dataset("/liners/mantle/work").read() == work);
+}
+
+TEST_CASE("What a case does not have is not in its results") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  ResultsContent content;
+  content.series = {{"time", "s"}};
+  ResultsFile results(path, content);
+  CHECK_THROWS_AS(results.append_product(0, std::vector{1.0}), std::logic_error);
+  CHECK_THROWS_AS(results.append_series(std::vector{1.0, 2.0}), std::logic_error);
+  results.close();
+  const hdf5::File file = hdf5::File::open(path);
+  CHECK(file.children("/") == std::vector<std::string>{"case", "ledger", "performance", "series"});
+  CHECK_FALSE(file.contains("/breakage/time"));
+  CHECK(file.contains("/series/time"));
+  CHECK(file.dataset("/series/time").read().empty());
+}
+
+TEST_CASE("The same run twice gives the same file") {
+  const ScratchDirectory scratch;
+  write_run(scratch.path() / "a.h5", 1500);
+  write_run(scratch.path() / "b.h5", 1500);
+  CHECK(bytes(scratch.path() / "a.h5") == bytes(scratch.path() / "b.h5"));
+}
+
+TEST_CASE("A growing file can be read") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  ResultsFile results(path, full_content());
+  results.append_ledger(std::vector{1.0, 2.0});
+  CHECK(hdf5::File::open(path).dataset("/ledger/kinetic").rows() == 0);  // waits in memory
+  results.flush();
+  CHECK(hdf5::File::open(path).dataset("/ledger/kinetic").read() == std::vector{2.0});
+}
+
+TEST_CASE("Many flushes do not bloat the file") {
+  const ScratchDirectory scratch;
+  ResultsContent content;
+  for (int c = 0; c < 24; ++c) content.series.push_back({"channel_" + std::to_string(c), "1"});
+  const int rows = 4096;
+  ResultsFile results(scratch.path() / "results.h5", content);
+  for (int row = 0; row < rows; ++row) {
+    results.append_series(std::vector<double>(24, row));
+    if (row % 10 == 0) results.flush();
+  }
+  results.close();
+  const auto data = 24u * rows * sizeof(double);
+  CHECK(std::filesystem::file_size(scratch.path() / "results.h5") < 1.2 * static_cast<double>(data));
+}
+
+TEST_CASE("Strings, compressed chunks and attributes of HDF5 files") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "any.h5";
+  const std::vector<std::string> names{"concave", "", "Mantel ü"};
+  std::vector<double> values(2000);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = 0.5 * static_cast<double>(k);
+  {
+    hdf5::File file = hdf5::File::create(path);
+    file.write_strings("/walls/names", names);
+    file.write_numbers("/empty", {});
+    file.set_attribute("/walls", "height", 4.25);
+    hdf5::Dataset table = file.create_dataset("/deep/down/table", {hdf5::Number::float32, 2, 500, 4});
+    table.append(values);
+    CHECK_THROWS_AS(table.append(std::vector{1.0}), std::logic_error);
+  }
+  {
+    hdf5::File file = hdf5::File::modify(path);
+    file.dataset("/deep/down/table").append(std::vector{-1.0, -2.0});
+    file.close();
+  }
+  const hdf5::File file = hdf5::File::open(path);
+  CHECK(file.read_strings("/walls/names") == names);
+  CHECK(file.dataset("/empty").read().empty());
+  CHECK(file.number_attribute("/walls", "height") == 4.25);
+  values.insert(values.end(), {-1.0, -2.0});
+  CHECK(file.dataset("/deep/down/table").read() == values);
+  CHECK_FALSE(file.contains("/deep/nowhere/table"));
+  CHECK_THROWS_AS(file.dataset("/nowhere"), OutputError);
+}
+
+TEST_CASE("Errors name the file and the reason") {
+  const ScratchDirectory scratch;
+  try {
+    hdf5::File::create(scratch.path() / "missing" / "results.h5");
+    FAIL("created a file in a directory that is not there");
+  } catch (const OutputError& error) {
+    CHECK_THAT(error.what(), Catch::Matchers::Contains("missing/results.h5"));
+    CHECK_THAT(error.what(), Catch::Matchers::Contains("No such file or directory"));
+  }
+  std::ofstream(scratch.path() / "text.h5") << "no HDF5";
+  CHECK_THROWS_AS(hdf5::File::open(scratch.path() / "text.h5"), OutputError);
+}
+
+TEST_CASE("Results that go on behind the rows kept read as if never interrupted") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5", whole = scratch.path() / "whole.h5";
+  const int keep = GENERATE(0, 1, 700, 2499, 2500);
+  write_run(whole, 2500);
+  write_run(path, 2500);  // has gone on past its checkpoint
+  const ResultsRows rows{{"/series", keep}, {"/ledger", keep}, {"/performance", 0},  {"/breakage", 0},
+                         {"/product", 0},   {"/holdup", 0},    {"/liners/mantle", 0}};
+  {
+    ResultsFile results(path, full_content(), rows);
+    CHECK(results.rows() == rows);
+    append_rows(results, keep, 2500);
+    CHECK(results.rows().at("/series") == 2500);
+    results.close();
+  }
+  const hdf5::File a = hdf5::File::open(whole), b = hdf5::File::open(path);
+  for (const char* name : {"/series/time", "/series/mantle_force", "/series/particles", "/ledger/kinetic"})
+    CHECK(a.dataset(name).read() == b.dataset(name).read());
+  CHECK(b.string_attribute("/case", "resolved_yaml") == full_content().record.resolved_yaml);
+  CHECK(b.dataset("/product/sizes").rows() == 3);
+}
+
+TEST_CASE("Results that lack rows or tables of the checkpoint are refused and stay as they were") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  ResultsRows rows{{"/series", 10},  {"/ledger", 10}, {"/performance", 0},
+                   {"/breakage", 0}, {"/product", 0}, {"/liners/mantle", 0}};
+  CHECK_THROWS_AS(ResultsFile(path, full_content(), rows), BadInput);
+  write_run(path, 9);
+  const std::string before = bytes(path);
+  CHECK_THROWS_WITH(ResultsFile(path, full_content(), rows),
+                    Catch::Matchers::Contains("has 9 rows of /series/time, not 10"));
+  ResultsContent other = full_content();
+  other.ledger.push_back({"friction", "J"});
+  rows["/series"] = rows["/ledger"] = 9;
+  CHECK_THROWS_WITH(ResultsFile(path, other, rows), Catch::Matchers::Contains("/ledger/friction"));
+  CHECK(bytes(path) == before);
+}

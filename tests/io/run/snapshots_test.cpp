@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/run/snapshots.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/io/run/scratch.hpp"
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+using namespace gyro;
+using Catch::Matchers::Contains;
+
+namespace {
+
+vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& path) {
+  REQUIRE(std::filesystem::exists(path));
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  REQUIRE(reader->GetErrorCode() == 0);
+  return reader->GetOutput();
+}
+
+ParticleSnapshot three_particles() {
+  ParticleSnapshot s;
+  s.id = {5, 9, 4000000000u};
+  s.rock = {0, 0, 3};
+  s.fragment = {0, 0, 2};
+  s.position = {{0, 0, 1}, {0.5, 0, 1}, {2, -1, 0.25}};
+  s.velocity = {{1, 2, 3}, {0, 0, 0}, {0, 0, -1}};
+  s.angular_velocity.resize(3, {0, 0, 0});
+  s.force = {{10, 0, 0}, {-10, 0, 0}, {0, 0, 7}};
+  s.radius = {0.25, 0.25, 0.5};
+  s.mass = {1, 1, 8};
+  return s;
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+double value(vtkDataSetAttributes* fields, const char* name, vtkIdType row, int component = 0) {
+  vtkDataArray* array = fields->GetArray(name);
+  REQUIRE(array != nullptr);
+  return array->GetComponent(row, component);
+}
+
+}  // namespace
+
+TEST_CASE("Particles read back with VTK as they were written") {
+  const ScratchDirectory scratch;
+  const ParticleSnapshot particles = three_particles();
+  SnapshotWriter writer(scratch.path());
+  writer.write({.time = 0.125, .particles = &particles});
+
+  const auto data = read(scratch.path() / "snapshots" / "particles_000000.vtp");
+  REQUIRE(data->GetNumberOfPoints() == 3);
+  REQUIRE(data->GetNumberOfVerts() == 1);
+  CHECK(data->GetCell(0)->GetNumberOfPoints() == 3);
+  vtkPointData* fields = data->GetPointData();
+  const double fragments[] = {5, 5, 4e9};  // id of the fragment's first particle
+  for (vtkIdType p = 0; p < 3; ++p) {
+    const auto row = static_cast<std::size_t>(p);
+    CHECK(data->GetPoint(p)[0] == particles.position[row].x);
+    CHECK(data->GetPoint(p)[2] == particles.position[row].z);
+    CHECK(value(fields, "id", p) == particles.id[row]);
+    CHECK(value(fields, "rock", p) == particles.rock[row]);
+    CHECK(value(fields, "fragment", p) == fragments[p]);
+    CHECK(value(fields, "radius", p) == particles.radius[row]);
+    CHECK(value(fields, "mass", p) == particles.mass[row]);
+    CHECK(value(fields, "velocity", p, 2) == particles.velocity[row].z);
+    CHECK(value(fields, "force", p, 0) == particles.force[row].x);
+  }
+  CHECK(data->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 0.125);
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "bonds.pvd"));
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "walls.pvd"));
+}
+
+TEST_CASE("Bonds read back with VTK as they were written") {
+  const ScratchDirectory scratch;
+  const ParticleSnapshot particles = three_particles();
+  const BondSnapshot bonds{{0, 1}, {1, 2}, {-5, 2.5}, {0.5, 0.75}, {0.125, 0.25}};
+  SnapshotWriter(scratch.path()).write({.time = 1, .particles = &particles, .bonds = &bonds});
+
+  const auto data = read(scratch.path() / "snapshots" / "bonds_000000.vtp");
+  REQUIRE(data->GetNumberOfLines() == 2);
+  REQUIRE(data->GetNumberOfPoints() == 4);
+  for (vtkIdType b = 0; b < 2; ++b) {
+    const auto row = static_cast<std::size_t>(b);
+    CHECK(value(data->GetCellData(), "normal_force", b) == bonds.normal_force[row]);
+    CHECK(value(data->GetCellData(), "stress_ratio", b) == bonds.stress_ratio[row]);
+    CHECK(value(data->GetPointData(), "radius", 2 * b + 1) == bonds.radius[row]);
+    CHECK(data->GetCell(b)->GetPointId(0) == 2 * b);
+    CHECK(data->GetPoint(2 * b + 1)[0] == particles.position[static_cast<std::size_t>(bonds.j[row])].x);
+  }
+}
+
+TEST_CASE("Walls read back with VTK as they were written") {
+  const ScratchDirectory scratch;
+  const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0},
+                             {{{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}, {1, 1, 2}}, {{0, 1, 2}, {1, 3, 2}}}, 2}};
+  SnapshotWriter(scratch.path()).write({.time = 1, .walls = walls});
+  const auto data = read(scratch.path() / "snapshots" / "walls_000000.vtp");
+  REQUIRE(data->GetNumberOfPolys() == 3);
+  REQUIRE(data->GetNumberOfPoints() == 7);
+  CHECK(value(data->GetCellData(), "wall", 0) == 0);
+  CHECK(value(data->GetCellData(), "wall", 2) == 2);
+  CHECK(data->GetCell(2)->GetPointId(1) == 6);  // vertex 3 of the second wall
+  CHECK(data->GetPoint(6)[2] == 2);
+}
+
+TEST_CASE("The indices name every frame with its time, also after a resume") {
+  const ScratchDirectory scratch;
+  const ParticleSnapshot particles = three_particles();
+  {
+    SnapshotWriter writer(scratch.path());
+    for (const double time : {0.0, 0.02}) writer.write({.time = time, .particles = &particles});
+  }
+  SnapshotWriter resumed(scratch.path(), {0.0, 0.02});
+  resumed.write({.time = 0.04, .particles = &particles});
+  CHECK(resumed.times() == std::vector{0.0, 0.02, 0.04});
+  const std::string index = text_of(scratch.path() / "particles.pvd");
+  CHECK_THAT(index, Contains("timestep=\"0\" part=\"0\" file=\"snapshots/particles_000000.vtp\"") &&
+                        Contains("timestep=\"0.02\" part=\"0\" file=\"snapshots/particles_000001.vtp\"") &&
+                        Contains("timestep=\"0.04\" part=\"0\" file=\"snapshots/particles_000002.vtp\""));
+  CHECK(std::filesystem::exists(scratch.path() / "snapshots" / "particles_000002.vtp"));
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "particles.pvd.tmp"));
+}
+
+TEST_CASE("Frames behind those that a resumed run keeps go, from the index and from the disk") {
+  const ScratchDirectory scratch;
+  const ParticleSnapshot particles = three_particles();
+  {
+    SnapshotWriter writer(scratch.path());
+    for (const double time : {0.0, 0.02, 0.04, 0.06}) writer.write({.time = time, .particles = &particles});
+  }
+  const SnapshotWriter resumed(scratch.path(), {0.0, 0.02});
+  const auto frame = [&](const char* name) { return std::filesystem::exists(scratch.path() / "snapshots" / name); };
+  CHECK(frame("particles_000001.vtp"));
+  CHECK_FALSE(frame("particles_000002.vtp"));
+  CHECK_FALSE(frame("particles_000003.vtp"));
+  const std::string index = text_of(scratch.path() / "particles.pvd");
+  CHECK_THAT(index, Contains("particles_000001.vtp") && !Contains("particles_000002.vtp"));
+}
+
+TEST_CASE("An empty scene gives files that VTK reads") {
+  const ScratchDirectory scratch;
+  const ParticleSnapshot none_left;
+  const BondSnapshot no_bonds;
+  SnapshotWriter(scratch.path()).write({.time = 0, .particles = &none_left, .bonds = &no_bonds});
+  CHECK(read(scratch.path() / "snapshots" / "particles_000000.vtp")->GetNumberOfPoints() == 0);
+  CHECK(read(scratch.path() / "snapshots" / "bonds_000000.vtp")->GetNumberOfLines() == 0);
+}
