@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Damped normal impacts: test 3 of Chung & Ooi, Granular Matter 13 (2011) 643.
-#include "core/laws/restitution.hpp"
+#include "core/laws/contact/restitution.hpp"
 #include "app/verify/bonded.hpp"
 #include "app/verify/check.hpp"
 #include "app/verify/impact.hpp"
@@ -13,7 +13,7 @@
 namespace gyro::verify {
 namespace {
 
-const std::string source = "asked for; damping by restitution_of_damping() in core/laws/restitution.hpp";
+const std::string source = "asked for; damping by restitution_of_damping() in core/laws/contact/restitution.hpp";
 
 std::string percent(double e) {
   char text[16];

@@ -20,7 +20,8 @@ ParticleSums DemSolver<Exec, Real>::particle_sums() const {
 
 template <class Exec, class Real>
 ContactSums DemSolver<Exec, Real>::contact_sums() const {
-  const SumContacts<Real> contacts{view(), pair_view(pairs_), wall_view(walls_), rock_law_, wall_laws_.data()};
+  const SumContacts<Real> contacts{view(),      pair_view(pairs_), wall_view(walls_), rock_law_, wall_laws_.data(),
+                                   rock_model_, wall_model_};
   return exec_.template reduce<ContactSums>("sum contacts", particle_count(), contacts);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/contact_laws.hpp"
 #include "core/dem/wall_surfaces.hpp"
 #include "core/kernels/accounts.hpp"
 #include "core/kernels/gather.hpp"
@@ -9,6 +8,7 @@
 #include "core/kernels/neighbours.hpp"
 #include "core/kernels/pair_forces.hpp"
 #include "core/kernels/wall_lists.hpp"
+#include "core/laws/contact/constants.hpp"
 #include "core/scene/dem.hpp"
 
 namespace gyro {
@@ -158,8 +158,9 @@ class DemSolver final : public Dem {
 
   Scene scene_;
   mutable Exec exec_;
-  ContactLaw<Real> rock_law_;
-  Buffer<ContactLaw<Real>> wall_laws_;
+  ContactConstants<Real> rock_law_;
+  Buffer<ContactConstants<Real>> wall_laws_;
+  ContactModel rock_model_, wall_model_;
   WallSurfaces<Exec> surfaces_;
 
   Particles<Buffer> particles_;

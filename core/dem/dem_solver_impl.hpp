@@ -14,11 +14,13 @@ template <class Exec, class Real>
 DemSolver<Exec, Real>::DemSolver(Scene scene, Exec exec)
     : scene_(std::move(scene)),
       exec_(std::move(exec)),
-      rock_law_(contact_law<Real>(scene_, scene_.rock_material, scene_.rock_material)),
+      rock_law_(contact_constants<Real>(scene_, scene_.rock_material, scene_.rock_material)),
+      rock_model_(rock_model(scene_)),
+      wall_model_(wall_model(scene_)),
       surfaces_(scene_.walls) {
-  std::vector<ContactLaw<Real>> laws;
+  std::vector<ContactConstants<Real>> laws;
   for (const Wall& wall : scene_.walls) {
-    laws.push_back(contact_law<Real>(scene_, scene_.rock_material, wall.material));
+    laws.push_back(contact_constants<Real>(scene_, scene_.rock_material, wall.material));
     poses_now_.push_back(pose_of(wall, 0, {}));
   }
   Exec::upload(wall_laws_, laws);
@@ -53,20 +55,15 @@ BondView<Real> DemSolver<Exec, Real>::bond_view() const {
 template <class Exec, class Real>
 PairView<Real> DemSolver<Exec, Real>::pair_view(const PairLists& lists) const {
   auto& l = const_cast<PairLists&>(lists);
-  return {l.pairs.data(),
-          l.history.data(),
-          l.result.data(),
-          l.touching.data(),
-          l.row_begin.data(),
-          l.ends.data(),
-          static_cast<Index>(l.pairs.size())};
+  return {l.pairs.data(),    l.history.data(),   nullptr,       l.result.data(),
+          l.touching.data(), l.row_begin.data(), l.ends.data(), static_cast<Index>(l.pairs.size())};
 }
 
 template <class Exec, class Real>
 WallView<Real> DemSolver<Exec, Real>::wall_view(const WallLists& lists) const {
   auto& l = const_cast<WallLists&>(lists);
   return {surfaces_.data(),   poses_,
-          l.entries.data(),   l.history.data(),
+          l.entries.data(),   l.history.data(), nullptr,
           l.result.data(),    l.touching.data(),
           l.sums.data(),      l.carried_over.data(),
           l.row_begin.data(), static_cast<Index>(l.entries.size())};

@@ -71,11 +71,15 @@ void DemSolver<Exec, Real>::launch_contacts(double half_hold_offset, double carr
   const WallView<Real> walls = wall_view(walls_);
   const std::int32_t* bond_state = has_bonds() ? bonds_.state.data() : nullptr;
   const OverlapCheck deep{scene_.limits.overlap_ratio, flags_.data() + 3};
-  exec_.for_each("pair forces", pairs.count,
-                 PairForces<Real, held>{view(), pairs, bond_state, rock_law_, half_hold_offset, deep});
-  exec_.for_each(
-      "wall forces", walls.count,
-      WallForces<Real, held>{view(), walls, wall_laws_.data(), hold_time(), half_hold_offset, carry_over, deep});
+  with_contact_law(rock_model_, [&]<class Law>(Law) {
+    exec_.for_each("pair forces", pairs.count,
+                   PairForces<Real, Law, held>{view(), pairs, bond_state, rock_law_, half_hold_offset, deep});
+  });
+  with_contact_law(wall_model_, [&]<class Law>(Law) {
+    exec_.for_each(
+        "wall forces", walls.count,
+        WallForces<Real, Law, held>{view(), walls, wall_laws_.data(), hold_time(), half_hold_offset, carry_over, deep});
+  });
 }
 
 template <class Exec, class Real>

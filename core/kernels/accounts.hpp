@@ -4,7 +4,7 @@
 #include "core/kernels/bond_forces.hpp"
 #include "core/kernels/bond_lane.hpp"
 #include "core/kernels/wall_forces.hpp"
-#include "core/laws/hertz_mindlin.hpp"
+#include "core/laws/contact/models.hpp"
 #include "core/state/contacts.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
@@ -87,8 +87,9 @@ struct SumContacts {
   ParticleView p;
   PairView<Real> pairs;
   WallView<Real> walls;
-  ContactLaw<Real> law;
-  const ContactLaw<Real>* wall_laws;
+  ContactConstants<Real> rock;            ///< of rock against rock
+  const ContactConstants<Real>* on_wall;  ///< of rock against each wall
+  ContactModel rock_model, wall_model;
 
   GYRO_HD ContactSums operator()(Index n) const {
     const Sphere sphere = p.position[n];
@@ -106,9 +107,10 @@ struct SumContacts {
     const Pair pair = pairs.pairs[n];
     const double a = p.position[pair.i].radius, b = p.position[pair.j].radius;
     const ContactHistory<Real> m = pairs.history[n];
+    const ExtraHistory<Real> extra = pairs.extra != nullptr ? pairs.extra[n] : ExtraHistory<Real>{};
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
-    return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.elastic)), ratio,
-            p.id[pair.i], p.id[pair.j], none};
+    const Real energy = contact_energy(rock_model, rock, static_cast<Real>(a * b / (a + b)), m, extra);
+    return {static_cast<double>(energy), ratio, p.id[pair.i], p.id[pair.j], none};
   }
   GYRO_HD ContactSums of_wall(Index n, const Sphere& sphere) const {
     const WallEntry entry = walls.entries[n];
@@ -117,10 +119,11 @@ struct SumContacts {
     ContactSums s;
     for (int k = 0; k < walls.history[n].count; ++k) {
       const ContactHistory<Real> m = walls.history[n].contact[k];
+      const ExtraHistory<Real> extra = walls.extra != nullptr ? walls.extra[n].contact[k] : ExtraHistory<Real>{};
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
-      s = s + ContactSums{weight * static_cast<double>(contact_energy(
-                                       wall_laws[entry.wall], static_cast<Real>(sphere.radius), m.overlap, m.elastic)),
-                          static_cast<double>(m.overlap) / sphere.radius, p.id[entry.particle], 0, entry.wall};
+      const Real energy = contact_energy(wall_model, on_wall[entry.wall], static_cast<Real>(sphere.radius), m, extra);
+      s = s + ContactSums{weight * static_cast<double>(energy), static_cast<double>(m.overlap) / sphere.radius,
+                          p.id[entry.particle], 0, entry.wall};
     }
     return s;
   }

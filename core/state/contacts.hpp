@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/shared_counter.hpp"
-#include "core/laws/hertz_mindlin.hpp"
+#include "core/laws/contact/contact.hpp"
 
 namespace gyro {
 
@@ -23,10 +23,6 @@ struct Pair {
   Index bond;  ///< bond of the same two particles, or none: while it holds, the pair is no contact
 };
 
-/// What a contact remembers from one step to the next. Zero while the pair does not touch.
-template <class Real>
-using ContactHistory = ContactHistory<Real>;
-
 /// Result of a pair for this step.
 template <class Real>
 struct PairResult {
@@ -45,7 +41,8 @@ struct PairEnd {
 template <class Real>
 struct PairView {
   Pair* pairs;
-  ContactHistory<Real>* history;
+  ContactHistory<Real>* history;  ///< zero while the pair does not touch
+  ExtraHistory<Real>* extra;      ///< likewise; null unless the contact law keeps it
   PairResult<Real>* result;
   std::int8_t* touching;
   Index* row_begin;  ///< per particle, into ends; one past the end at the last

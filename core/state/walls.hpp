@@ -33,6 +33,12 @@ struct WallHistory {
   std::int32_t count;
 };
 
+/// History that only some contact laws keep, of the contacts of one entry.
+template <class Real>
+struct WallExtraHistory {
+  ExtraHistory<Real> contact[WallTouches::capacity];
+};
+
 /// Result of an entry for this step.
 template <class Real>
 struct WallResult {
@@ -56,6 +62,7 @@ struct WallView {
   const WallPose* poses;  ///< of this step
   WallEntry* entries;
   WallHistory<Real>* history;
+  WallExtraHistory<Real>* extra;  ///< null unless the contact law keeps it
   WallResult<Real>* result;
   std::int8_t* touching;
   WallSum* sums;          ///< one an entry: of the window so far
