@@ -28,7 +28,8 @@ struct Contact {
   double radius, mass, overlap;
 
   double speed_at(double depth) const {
-    return std::sqrt(2 * contact_energy(model, constants, radius, {{0, 0, 0}, depth, {0, 0, 0}}, {}) / mass);
+    const ExtraHistory<double> fresh{};
+    return std::sqrt(2 * contact_energy(model, constants, radius, {{0, 0, 0}, depth, {0, 0, 0}}, &fresh) / mass);
   }
   double speed() const { return speed_at(overlap); }
   /// By bisection: the speed rises with the overlap.

@@ -13,7 +13,7 @@ namespace gyro {
 /// @tparam held  forces are held over several sub-steps
 template <class Real, class Law, bool held>
 struct PairForces {
-  ParticleView p;
+  ConstParticleView p;
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
   ContactConstants<Real> constants;
@@ -21,7 +21,7 @@ struct PairForces {
   OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
-    const Pair pair = pairs.pairs[n];
+    const Pair pair = pairs.pair[n];
     const Sphere a = contact_position<held>(p, pair.i, half_hold_offset),
                  b = contact_position<held>(p, pair.j, half_hold_offset);
     const Vec3d span = b.x - a.x;

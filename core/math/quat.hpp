@@ -11,6 +11,9 @@ struct Quat {
   T w, x, y, z;
 };
 
+template <class T>
+struct RowOf<Quat<T>> : MadeOf<T> {};
+
 using Quatd = Quat<double>;
 
 template <class T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
 #include "core/math/select.hpp"
 #include "core/math/vec3.hpp"
 
@@ -39,7 +40,15 @@ struct ContactHistory {
   Vec3<T> elastic;  ///< elastic tangential force on i [N]
   T overlap;        ///< [m]
   Vec3<T> drag;     ///< damping force on i, normal and tangential: for the ledger alone [N]
+
+  template <class F, class... H>
+  static constexpr void for_each_field(F&& f, H&... h) {
+    f("elastic", h.elastic...);
+    f("overlap", h.overlap...);
+    f("drag", h.drag...);
+  }
 };
+static_assert(declares_every_field<ContactHistory<float>>);
 
 /// History that only some laws keep. A scene whose laws need none of it has no memory for it. Zero for a new contact.
 template <class T>
@@ -47,7 +56,15 @@ struct ExtraHistory {
   T max_overlap;         ///< largest overlap so far: hysteretic normal force [m]
   Vec3<T> roll_elastic;  ///< elastic rolling torque on i: rolling spring [N m]
   Vec3<T> roll_drag;     ///< damping torque on i: for the ledger alone [N m]
+
+  template <class F, class... H>
+  static constexpr void for_each_field(F&& f, H&... h) {
+    f("max_overlap", h.max_overlap...);
+    f("roll_elastic", h.roll_elastic...);
+    f("roll_drag", h.roll_drag...);
+  }
 };
+static_assert(declares_every_field<ExtraHistory<float>>);
 
 /// Loads on body i, the new history, and what the ledger needs.
 template <class T>

@@ -16,11 +16,12 @@ struct EnergyOf {
   const ContactConstants<T>& constants;
   T radius;
   const ContactHistory<T>& history;
-  const ExtraHistory<T>& extra;
+  const ExtraHistory<T>* extra;
 
   template <class Law>
   GYRO_HD T operator()(Law) const {
-    return Law::energy(constants, radius, history, extra);
+    if constexpr (Law::keeps_extra_history) return Law::energy(constants, radius, history, *extra);
+    return Law::energy(constants, radius, history, ExtraHistory<T>{});
   }
 };
 
@@ -59,11 +60,17 @@ GYRO_HD auto with_contact_law(ContactModel model, const F& f) {
   return contact_detail::with_rolling<Hertz>(model.rolling, f);
 }
 
+/// Whether the law of a model keeps ExtraHistory.
+inline bool keeps_extra_history(ContactModel model) {
+  return with_contact_law(model, []<class Law>(Law) { return Law::keeps_extra_history; });
+}
+
 /// Elastic energy of a contact under the law of a model [J].
 /// @param radius  R* [m]
+/// @param extra   not read unless the law keeps it
 template <class T>
 GYRO_HD T contact_energy(ContactModel model, const ContactConstants<T>& constants, T radius,
-                         const ContactHistory<T>& history, const ExtraHistory<T>& extra) {
+                         const ContactHistory<T>& history, const ExtraHistory<T>* extra) {
   return with_contact_law(model, contact_detail::EnergyOf<T>{constants, radius, history, extra});
 }
 

@@ -15,7 +15,6 @@ Scene busy_scene() {
   Scene scene = plain_scene(dt);
   scene.gravity = {0, 0, -9.81};
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
   scene.wall_impulses = true;
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/dem/dem_solver_impl.hpp"
 #include "core/dem/make_dem.hpp"
+
+#include "core/dem/solver.hpp"
 #include "core/exec/cpu.hpp"
+#include "core/kernels/bond_pack.hpp"
 
 namespace gyro {
 
