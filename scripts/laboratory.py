@@ -86,9 +86,9 @@ def run(arguments, case, seed, settings):
     return figures
 
 
-def measure(arguments, cases, settings, most_seeds=None, durations=None):
+def measure(arguments, cases, settings, max_seeds=None, durations=None):
     """Figures of each case for all seeds; `durations` by case, in s, where they are not the case's own."""
-    seeds = min(arguments.seeds, most_seeds or arguments.seeds)
+    seeds = min(arguments.seeds, max_seeds or arguments.seeds)
     with ThreadPoolExecutor(arguments.jobs) as pool:
         own = {case: settings + ([f"time.duration={durations[case]:.4g}"] if durations else []) for case in cases}
         runs = {case: [pool.submit(run, arguments, case, seed, own[case]) for seed in range(1, seeds + 1)]
