@@ -61,6 +61,7 @@ ALLOWED = {
     "app/simulation": (*PROGRAM, "app/simulation/"),
     "app/verify": (*PROGRAM, "app/simulation/", "app/verify/"),
     "app/bench": (*PROGRAM, "app/simulation/", "app/bench/"),
+    "app/examples": ("core/", "gpu/", "mbd/", "app/examples/"),  # what a user of the installed library sees
 }
 
 # Headers that a folder may not include although their folder is allowed: path prefixes, and what they are.
