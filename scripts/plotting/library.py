@@ -54,5 +54,5 @@ def draw(arguments):
         axis.set_xlabel("rock / particle diameter")
     for axis in (left, middle, right):
         axis.minorticks_off()
-        axis.grid(which="both")
+        axis.grid(True, which="both")
     save(figure, arguments.out or arguments.library.with_suffix(".png"))
