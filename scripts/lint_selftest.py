@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows that the lints catch what they are for, and let good code pass."""
+"""Tests that the lints catch what they are for, and let good code pass."""
 import tempfile
 import unittest
 from pathlib import Path

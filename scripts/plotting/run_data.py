@@ -23,7 +23,7 @@ class Column:
 @contextlib.contextmanager
 def open_results(run):
     try:
-        with h5py.File(run / "results.h5", "r", locking=False) as file:
+        with h5py.File(run / "results.h5", "r", swmr=True, locking=False) as file:
             yield file
     except (OSError, KeyError) as error:
         raise PlotError(f"{run / 'results.h5'} cannot be read ({error}); give the directory of a run") from error
