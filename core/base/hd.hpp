@@ -17,10 +17,10 @@
 namespace gyro {
 
 /// Index of a particle, bond, contact or wall in its array. Signed, so that loops and
-/// differences are safe; 2^31 particles are far beyond one device's memory.
+/// differences are safe; 2^31 particles are beyond the memory of one device.
 using Index = std::int32_t;
 
-/// Number that a particle keeps for life, whatever its place in the arrays. Given in feed order.
+/// Number that a particle keeps for life, whatever its row in the columns. Given in feed order.
 using ParticleId = std::uint32_t;
 
 /// Number that a rock (meta-particle as fed) keeps for life; its fragments keep it too.

@@ -87,7 +87,7 @@ struct EnergyTerms {
 static_assert(declares_every_field<EnergyTerms>);
 
 /// Extremes for the guard: at the end of the last window and, if a step inside it passed one of the scene's
-/// limits, those of the first such step as well. What peaks inside a window below the limits is not seen.
+/// limits, those of the first such step as well. Peaks inside a window below the limits are not seen.
 struct Extremes {
   bool finite = true;
   ParticleId culprit = 0;           ///< of the largest overlap, or the first that is not finite
@@ -96,12 +96,12 @@ struct Extremes {
   double overlap_ratio = 0;         ///< largest contact overlap / smaller radius [-]
   double speed_ratio = 0;           ///< largest v dt / R [-]
   ParticleId fastest = 0;           ///< of the largest speed_ratio
-  double rotation = 0;              ///< largest spin x dt [rad]
-  ParticleId fastest_rotating = 0;  ///< of the largest turn
-  double bond_rotation = 0;         ///< largest turn of a bond's ends, only where it passed its limit [rad]
+  double rotation = 0;              ///< largest angular velocity x dt [rad]
+  ParticleId fastest_rotating = 0;  ///< of the largest rotation
+  double bond_rotation = 0;         ///< largest rotation of a bond's ends, only where it passed its limit [rad]
   ParticleId twisted = 0;           ///< one end of that bond
-  double wall_step = 0;             ///< way of a wall's fastest place in a step / smallest radius, 0 for planes [-]
-  Index fast_wall = none;           ///< of the largest wall_step
+  double wall_step = 0;    ///< largest distance that a wall moves in a step / smallest radius, 0 for planes [-]
+  Index fast_wall = none;  ///< of the largest wall_step
 };
 
 /// Counts of live things.

@@ -60,7 +60,7 @@ struct RotationMotion {
   Vec3d point;
   double speed;  ///< [rad/s]
 };
-/// Translation on a horizontal circle, starting at the drawn place: r (sin wt, 1 - cos wt, 0).
+/// Translation on a horizontal circle, starting at the drawn position: r (sin wt, 1 - cos wt, 0).
 struct CircularMotion {
   double radius, period;  ///< [m], [s]
 };

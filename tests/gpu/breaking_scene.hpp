@@ -63,7 +63,7 @@ struct Outcome {
   Vec3d momentum;
 };
 
-/// Runs the scene: falls, is fed once more, loses the lowest fragments, goes on.
+/// Runs the scene: falls, is fed once more, loses the lowest fragments, runs to its end.
 inline Outcome break_rocks(Dem& dem) {
   Outcome out;
   std::int64_t step = 0;

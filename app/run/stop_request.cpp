@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/stop_request.hpp"
+#include "app/run/stop_request.hpp"
 
 #include <unistd.h>
 #include <csignal>
@@ -24,8 +24,8 @@ void catch_stop_signals() {
   for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) sigaction(signal, &action, nullptr);
 }
 
-StopRequest stop_request() {
-  return signals_seen > 0 ? StopRequest::signal : StopRequest::keep_going;
+bool stop_requested() {
+  return signals_seen > 0;
 }
 
 }  // namespace gyro

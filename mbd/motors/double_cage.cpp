@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mbd/induction.hpp"
+#include "mbd/motors/double_cage.hpp"
 
-#include "core/base/errors.hpp"
+#include "mbd/motors/check.hpp"
+#include "mbd/motors/induction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,26 +12,12 @@
 namespace gyro {
 namespace {
 
-double kloss(const Cage& cage, double slip) {
-  const double sb = cage.breakdown_slip;
-  return 2 * cage.breakdown_torque * slip * sb / (slip * slip + sb * sb);
-}
-
-double slip_at(double speed, double synchronous_speed) {
-  return (synchronous_speed - speed) / synchronous_speed;
-}
-
-/// Rotor current of a cage, times a constant that all cages share.
-std::complex<double> phasor(const Cage& cage, double slip) {
-  return cage.breakdown_torque * slip / std::complex<double>(cage.breakdown_slip, slip);
-}
-
 double sum(const DoubleCageMotor& motor, double slip) {
-  return kloss(motor.inner, slip) + kloss(motor.outer, slip);
+  return motor.inner.torque(slip) + motor.outer.torque(slip);
 }
 
 double sum_current(const DoubleCageMotor& motor, double slip) {
-  return std::abs(phasor(motor.inner, slip) + phasor(motor.outer, slip));
+  return std::abs(motor.inner.current(slip) + motor.outer.current(slip));
 }
 
 /// Cages, in units of TN, for a breakdown torque of the inner cage: that of the outer one makes T(1)
@@ -82,29 +69,18 @@ double pull_out(const DoubleCageMotor& motor) {
 
 }  // namespace
 
-double InductionMotor::rated_torque() const {
-  return rated_power / rated_speed();
+void DoubleCageMotor::check() const {
+  InductionMotor{rated_power, synchronous_speed, rated_slip, breakdown_ratio}.check();
+  require_positive(starting_ratio, "starting_ratio");
+  require_positive(inner.breakdown_torque, "torque of the inner cage");
 }
 
-double InductionMotor::breakdown_torque() const {
-  return breakdown_ratio * rated_torque();
+void DoubleCageMotor::complete() {
+  *this = solve_cages(*this);
 }
 
-double InductionMotor::breakdown_slip() const {
-  return rated_slip * (breakdown_ratio + std::sqrt(breakdown_ratio * breakdown_ratio - 1));
-}
-
-double InductionMotor::torque(double speed) const {
-  return kloss({breakdown_torque(), breakdown_slip()}, slip_at(speed, synchronous_speed));
-}
-
-double InductionMotor::current(double speed) const {
-  const Cage cage{1, breakdown_slip()};
-  return std::abs(phasor(cage, slip_at(speed, synchronous_speed))) / std::abs(phasor(cage, rated_slip));
-}
-
-double DoubleCageMotor::torque(double speed) const {
-  return sum(*this, slip_at(speed, synchronous_speed));
+double DoubleCageMotor::torque(double speed, double voltage) const {
+  return voltage * voltage * sum(*this, slip_at(speed, synchronous_speed));
 }
 
 double DoubleCageMotor::current(double speed) const {
@@ -124,7 +100,7 @@ DoubleCageMotor solve_cages(DoubleCageMotor plate) {
   const auto found = with_inner(plate, high);
   if (!found || std::abs(pull_out(*found) / wanted - 1) > 1e-9)
     throw BadInput(
-        "motor: no pair of cages has this rated_slip, breakdown_ratio and starting_ratio together; accepted are "
+        "motor: no pair of cages has this rated_slip, breakdown_ratio and starting_ratio together; give the "
         "figures of one motor, such as 0.02, 2.1 and 2.25 (NEMA C)");
   const double rated_torque = plate.rated_torque();
   plate.inner = {found->inner.breakdown_torque * rated_torque, found->inner.breakdown_slip};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/simulation/checkpoint.hpp"
+#include "app/run/checkpoint.hpp"
 
-#include "app/simulation/bad_key.hpp"
+#include "app/assembly/bad_key.hpp"
 #include "app/version.hpp"
 #include "io/run/state_file.hpp"
 
@@ -12,9 +12,9 @@
 namespace gyro {
 namespace {
 
-constexpr int min_rest = 100;  ///< between two states in memory, in times of what one costs
+constexpr int min_rest = 100;  ///< time between two states in memory / time that one costs
 
-/// The first file that a case names and whose content is not that of the checkpoint.
+/// The first file named by the case whose content differs from that of the checkpoint.
 std::string changed_input(const std::string& now, const std::string& then) {
   std::istringstream lines(now), earlier(then);
   std::string line, other;
@@ -26,7 +26,7 @@ std::string changed_input(const std::string& now, const std::string& then) {
 void require_same(const Case& input, const std::string& resolved, const std::filesystem::path& file) {
   if (const auto differs = difference(input.resolved, resolved))
     throw BadKey(differs->key, differs->key + " is " + differs->value + ", in " + file.string() + " " + differs->other +
-                                   "; only time.duration and output may change, --overwrite starts again");
+                                   "; only time.duration and output may change; --overwrite starts the run again");
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ SavedState read_checkpoint(const std::filesystem::path& directory, const Case& i
   require_same(input, state.get_text("case/resolved"), file);
   const std::string changed = changed_input(input.inputs, state.get_text("case/inputs"));
   if (!changed.empty())
-    throw BadInput(changed + ": has changed since " + file.string() + " was written; its old content is accepted, " +
-                   "--overwrite starts again");
+    throw BadInput(changed + ": has changed since " + file.string() +
+                   " was written; restore the file, or start the run again with --overwrite");
   return state;
 }
 
@@ -64,7 +64,7 @@ std::string this_program() {
 CheckpointKeeper::CheckpointKeeper(const std::filesystem::path& directory, const Case& input)
     : file_(checkpoint_file(directory)), input_(input) {}
 
-void CheckpointKeeper::take(const Simulation& simulation, const RunOutput& output) {
+void CheckpointKeeper::keep(const Simulation& simulation, const RunOutput& output) {
   if (!simulation.unsaveable().empty()) return;
   const Clock::time_point before = Clock::now();
   good_ = simulation.save();
@@ -72,20 +72,20 @@ void CheckpointKeeper::take(const Simulation& simulation, const RunOutput& outpu
   good_.put_text("case/resolved", input_.resolved);
   good_.put_text("case/inputs", input_.inputs);
   good_.put_text("case/writer", this_program());
-  taken_ = Clock::now();
-  cost_ = taken_ - before;
+  kept_ = Clock::now();
+  cost_ = kept_ - before;
 }
 
-void CheckpointKeeper::look_at(const Simulation& simulation, RunOutput& output) {
+void CheckpointKeeper::keep_if_due(const Simulation& simulation, RunOutput& output) {
   const std::chrono::duration<double> since = Clock::now() - written_;
   if (input_.output.checkpoints > 0 && since.count() >= input_.output.checkpoints)
     write(simulation, output);
-  else if (Clock::now() - taken_ >= min_rest * cost_)
-    take(simulation, output);
+  else if (Clock::now() - kept_ >= min_rest * cost_)
+    keep(simulation, output);
 }
 
 void CheckpointKeeper::write(const Simulation& simulation, RunOutput& output) {
-  take(simulation, output);
+  keep(simulation, output);
   write_last_good(output);
 }
 

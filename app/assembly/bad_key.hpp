@@ -8,7 +8,7 @@
 
 namespace gyro {
 
-/// A problem of a case that shows only when it is put together, with the key to blame.
+/// A problem of a case that shows only when it is assembled, with the key of the case file to blame.
 struct BadKey : BadInput {
   BadKey(std::string blamed, const std::string& problem) : BadInput(problem), key(std::move(blamed)) {}
   std::string key;
