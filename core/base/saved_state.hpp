@@ -31,7 +31,7 @@ struct SavedColumn {
 };
 
 /// What must be kept to go on bit for bit, as named columns of numbers: whoever has a state puts it in and
-/// gets it back, whoever writes files sees numbers only. Names are paths, as "particles/place".
+/// gets it back, whoever writes files sees numbers only. Names are paths, as "particles/position".
 class SavedState {
  public:
   /// Keeps the bits of all rows.

@@ -121,7 +121,7 @@ void DemSolver<Exec, Real>::save_walls(SavedState& s) const {
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::restore(const SavedState& s) {
-  const std::size_t particles = s.get<Sphere>("particles/place").size(), bonds = s.get<Index>("bonds/i").size();
+  const std::size_t particles = s.get<Sphere>("particles/position").size(), bonds = s.get<Index>("bonds/i").size();
   const auto take = [&](const std::string& name, std::size_t rows, auto& column) {
     using Row = std::remove_cvref_t<decltype(Exec::host(column)[0])>;
     Exec::upload(column, s.get<Row>(name, rows));

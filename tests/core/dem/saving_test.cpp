@@ -121,10 +121,10 @@ TEST_CASE("A state of the other precision, or with a column missing or short, is
   CHECK_THROWS_AS(on_cpu(Precision::double_, 1)()->restore(saved), BadInput);
   const auto dem = on_cpu(Precision::mixed, 1)();
   SavedState missing = saved, shorter = saved;
-  missing.columns().erase("particles/spin");
-  CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/spin"));
-  std::vector<Vec3d> places = shorter.get<Vec3d>("particles/listed_at");
+  missing.columns().erase("particles/angular_motion");
+  CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/angular_motion"));
+  std::vector<Vec3d> places = shorter.get<Vec3d>("particles/listed_position");
   places.pop_back();
-  shorter.put("particles/listed_at", places);
-  CHECK_THROWS_WITH(dem->restore(shorter), Catch::Matchers::Contains("rows of particles/listed_at"));
+  shorter.put("particles/listed_position", places);
+  CHECK_THROWS_WITH(dem->restore(shorter), Catch::Matchers::Contains("rows of particles/listed_position"));
 }
