@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How every target of the project is compiled.
 
-# An interface that carries language, warnings and floating-point rules.
+# What a program that includes our headers must share with the libraries: language, include path, and no contraction,
+# so that laws in headers have the same bits there.
+add_library(gyro_rules INTERFACE)
+target_compile_features(gyro_rules INTERFACE cxx_std_20)
+target_include_directories(gyro_rules INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gyrosim>)
+target_compile_options(gyro_rules INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+
+# What our own files are compiled with besides.
 add_library(gyro_compile INTERFACE)
-target_compile_features(gyro_compile INTERFACE cxx_std_20)
-target_include_directories(gyro_compile INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(gyro_compile INTERFACE gyro_rules)
 target_compile_options(gyro_compile INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Werror>
-  # Same bits on every machine, thread count and device: no contraction, no reordering.
   # Not asking for errno or traps changes no value and lets loops vectorise.
-  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -fno-math-errno -fno-trapping-math>)
+  $<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno -fno-trapping-math>)
 if(GYRO_NATIVE)
   # -Wno-psabi: packs of 16 floats are only passed inside inlined functions.
   # Not what is handed to other machines, a target with the property GYRO_PORTABLE.
@@ -62,7 +68,7 @@ function(gyro_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;OPENMP;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES} ${ARG_OPENMP})
   gyro_precompile(${name} OPENMP ${ARG_OPENMP})
-  target_link_libraries(${name} PUBLIC gyro_compile ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  target_link_libraries(${name} PUBLIC gyro_rules $<BUILD_INTERFACE:gyro_compile> ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
 
 # gyro_test(NAME SOURCES ... LIBS ... [LABELS ...]): one Catch2 executable, one ctest per test case.
