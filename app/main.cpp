@@ -19,7 +19,7 @@ std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& t
   return [&target](const CLI::results_t& words) {
     const ParsedNumber parsed = parse_quantity(words.front(), Dimension::time);
     if (!parsed.value) throw CLI::ValidationError(parsed.problem);
-    if (!(*parsed.value >= 0)) throw CLI::ValidationError("a time below zero; 0 or more is accepted");
+    if (!(*parsed.value >= 0)) throw CLI::ValidationError("the time is negative; it must be >= 0");
     target = parsed.value;
     return true;
   };
@@ -39,7 +39,7 @@ void add_run(CLI::App& command, RunArguments& a) {
   command.add_option("--threads", a.threads, "threads of the CPU engine; default all cores")
       ->check(CLI::Range(1, 4096))
       ->envname("GYROSIM_THREADS");
-  command.add_flag("--resume", a.resume, "go on with a run that was interrupted");
+  command.add_flag("--resume", a.resume, "continue a run that was interrupted");
   command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
   command.add_option("--until", seconds_into(a.until), "end at this simulated time instead of time.duration")
       ->type_name("TIME");
@@ -54,19 +54,19 @@ void add_bench_accuracy(CLI::App& command, BenchAccuracyArguments& a) {
   command.add_option("--threads", a.threads, "runs side by side, each on one thread")->check(CLI::Range(1, 4096));
   command.add_flag("--quick", a.quick, "few points and three seeds");
   command.add_option("--folder", a.folder, "scenes and reference.json; default those of the source folder");
-  command.add_flag("--make-reference", a.make_reference, "make the references anew and write reference.json");
+  command.add_flag("--make-reference", a.make_reference, "compute the references again and write reference.json");
   command.add_flag("--json", a.json, "one JSON document on standard output");
 }
 
-/// What is wrong with a command line, and what is accepted.
+/// What is wrong with a command line, and what to do.
 std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> chosen = app->get_subcommands();
   std::string text = error.what();
   while (!text.empty() && (text.back() == '.' || text.back() == '\n')) text.pop_back();
   const std::vector<std::string> unknown = chosen.empty() ? app->remaining() : chosen.front()->remaining();
   if (!unknown.empty()) text = "there is no `" + unknown.front() + "`";
-  if (!chosen.empty()) return text + "; `gyrosim " + chosen.front()->get_name() + " --help` says what is accepted\n";
-  text += "; accepted are";
+  if (!chosen.empty()) return text + "; `gyrosim " + chosen.front()->get_name() + " --help` lists what it takes\n";
+  text += "; the commands are";
   for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
     text += " " + command->get_name();
   return text + "\n";
@@ -92,7 +92,7 @@ int guarded(const std::function<int()>& command) {
     std::cerr << e.what() << "\n";
     return exit_no_device;
   } catch (const std::bad_alloc&) {
-    std::cerr << "out of memory; a smaller case is accepted (gyrosim check prints what a case needs)\n";
+    std::cerr << "out of memory; reduce the particle count (see gyrosim check)\n";
     return exit_no_device;
   } catch (const std::exception& e) {
     std::cerr << "internal error: " << e.what() << "\n";
@@ -100,7 +100,7 @@ int guarded(const std::function<int()>& command) {
   }
 }
 
-/// What any command may be told.
+/// Arguments of all commands.
 struct Arguments {
   RunArguments run;
   CaseArguments check, library, liners, fmu;
@@ -118,7 +118,7 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
   add_run(*c, a.run);
   c->callback([&a] { a.chosen = [&a] { return run_command(a.run); }; });
 
-  c = app.add_subcommand("check", "validate a case and say what it takes");
+  c = app.add_subcommand("check", "validate a case and estimate its size and cost");
   add_case(*c, a.check);
   c->add_flag("--json", a.check.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return check_command(a.check); }; });
@@ -129,7 +129,7 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
   c->add_flag("--json", a.library.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return library_command(a.library, a.library_out); }; });
 
-  c = app.add_subcommand("liners", "measure the chamber of profile or meshes, write the set liners as STL");
+  c = app.add_subcommand("liners", "measure the chamber of a profile or of meshes, write the adjusted liners as STL");
   add_case(*c, a.liners);
   c->add_option("--out", a.liners_out, "directory")->required();
   c->add_flag("--json", a.liners.json, "one JSON document on standard output");
@@ -142,14 +142,14 @@ void add_other_commands(CLI::App& app, Arguments& a) {
   c->add_flag("--json-schema", a.schema, "JSON Schema for editors");
   c->callback([&a] { a.chosen = [&a] { return describe_command(a.key, a.schema); }; });
 
-  c = app.add_subcommand("verify", "hold the engine against theory, one line a check");
+  c = app.add_subcommand("verify", "compare the engine with theory, one line per check");
   c->add_option("--filter", a.verify.filter, "regular expression searched in group/case/quantity");
-  c->add_flag("--nightly", a.verify.nightly, "the long cases as well");
+  c->add_flag("--nightly", a.verify.nightly, "run the long cases as well");
   c->add_flag("--json", a.verify.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return verify_command(a.verify); }; });
 
-  c = app.add_subcommand("bench", "what speed and accuracy cost")->require_subcommand(1);
-  c = c->add_subcommand("accuracy", "work against error: cost and error of numerical choices on three scenes");
+  c = app.add_subcommand("bench", "measure speed and accuracy")->require_subcommand(1);
+  c = c->add_subcommand("accuracy", "cost and error of numerical settings on three scenes");
   add_bench_accuracy(*c, a.accuracy);
   c->callback([&a] { a.chosen = [&a] { return bench_accuracy_command(a.accuracy); }; });
 

@@ -36,7 +36,7 @@ int init_command(const std::string& name) {
     std::cout << in.rdbuf();
     return exit_done;
   }
-  throw BadInput("--template " + name + ": unknown; quickstart, primary or compression");
+  throw BadInput("--template " + name + " is unknown; use quickstart, primary or compression");
 }
 
 int info_command(bool json) {
