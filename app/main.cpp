@@ -31,7 +31,7 @@ int guarded(const std::function<int()>& command) {
     std::cerr << e.what() << "\n";
     return exit_no_device;
   } catch (const std::bad_alloc&) {
-    std::cerr << "out of memory; reduce the number of particles (gyrosim check prints the memory that a case needs)\n";
+    std::cerr << "out of memory; reduce the particle count (see gyrosim check)\n";
     return exit_no_device;
   } catch (const std::exception& e) {
     std::cerr << "internal error: " << e.what() << "\n";

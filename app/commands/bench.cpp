@@ -22,7 +22,7 @@ std::vector<AccuracyScene> chosen(const std::string& name) {
   std::vector<AccuracyScene> all;
   for (const AccuracyScene& scene : accuracy_scenes())
     if (name.empty() || scene.name == name) all.push_back(scene);
-  if (all.empty()) throw BadInput("--scene " + name + ": there is no such scene; " + names() + " are accepted");
+  if (all.empty()) throw BadInput("--scene " + name + ": there is no such scene; use one of " + names());
   return all;
 }
 
@@ -35,7 +35,7 @@ void require_knob(const std::string& knob) {
       if ((known + ", ").find(setting.knob + ", ") == std::string::npos)
         known += (known.empty() ? "" : ", ") + setting.knob;
     }
-  throw BadInput("--knob " + knob + ": there is no such knob; " + known + " are accepted");
+  throw BadInput("--knob " + knob + ": there is no such knob; use one of " + known);
 }
 
 int make_references(const std::vector<AccuracyScene>& scenes, const std::filesystem::path& folder, int threads) {

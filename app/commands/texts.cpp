@@ -37,7 +37,7 @@ int init_command(const std::string& name) {
     std::cout << in.rdbuf();
     return exit_done;
   }
-  throw BadInput("--template " + name + ": unknown; use quickstart, primary or compression");
+  throw BadInput("--template " + name + " is unknown; use quickstart, primary or compression");
 }
 
 int info_command(bool json) {

@@ -22,7 +22,7 @@ std::regex expression(const std::string& text) {
     return std::regex(text, std::regex::ECMAScript | std::regex::icase);
   } catch (const std::regex_error& problem) {
     throw BadInput("--filter: '" + text + "' is no regular expression (" + problem.what() +
-                   "); accepted is one as in ECMAScript, searched in group/case/quantity");
+                   "); use the ECMAScript syntax; it is searched in group/case/quantity");
   }
 }
 
@@ -57,10 +57,10 @@ std::vector<const Case*> chosen(std::span<const Case> cases, const Lines& lines,
   std::string groups, last;
   for (const Case& c : cases)
     if (group_of(c) != last) groups += " " + (last = group_of(c));
-  throw BadInput("--filter: " +
-                 (only_nightly ? "only long checks are called '" + arguments.filter + "'; --nightly runs them"
-                               : "no check is called '" + arguments.filter + "'; a part of group/case/quantity is " +
-                                     "accepted, the groups are" + groups));
+  throw BadInput("--filter: " + (only_nightly
+                                     ? "only long checks are called '" + arguments.filter + "'; --nightly runs them"
+                                     : "no check is called '" + arguments.filter +
+                                           "'; give a part of group/case/quantity, " + "the groups are" + groups));
 }
 
 /// @throws std::logic_error unless a case printed the lines that it is listed with

@@ -106,17 +106,17 @@ RunDirectory next_in_runs(const std::string& case_name) {
 /// What there is at a path, without a change to it.
 RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
   if (fs::exists(path) && !fs::is_directory(path))
-    throw BadInput("--out " + path.string() + " is a file; a directory, which may be new, is accepted");
+    throw BadInput("--out " + path.string() + " is a file; give a directory, which may be new");
   const bool has_run = has_any(path, marks);
   const EarlierRun earlier = read_summary(path).value_or(EarlierRun{"unfinished", 0});
   if (!has_run && has_any(path, own_files))
     throw BadInput("--out " + path.string() +
-                   " holds files named as a run names its own, but no run; another directory is accepted");
+                   " holds files with names that a run uses, but no run; give another directory");
   if (!has_run || overwrite) return {path, RunDirectory::State::fresh, 0};
   if (earlier.status == "done") return {path, RunDirectory::State::finished, earlier.simulated_seconds};
   if (!resume)
     throw BadInput("--out " + path.string() + " holds a run that is not finished (" + earlier.status +
-                   "); --resume goes on, --overwrite starts again, another directory is accepted");
+                   "); use --resume to continue, --overwrite to start again, or another directory");
   return {path, RunDirectory::State::half_done, earlier.simulated_seconds};
 }
 
@@ -132,10 +132,10 @@ RunDirectory open_named(const fs::path& path, bool resume, bool overwrite) {
 
 void check_request(const RunDirectoryRequest& request) {
   if (request.resume && request.overwrite)
-    throw BadInput("--resume and --overwrite contradict each other; one of them is accepted");
+    throw BadInput("--resume and --overwrite contradict each other; give only one of them");
   if (!request.out && (request.resume || request.overwrite))
     throw BadInput(std::string(request.resume ? "--resume" : "--overwrite") +
-                   " does not say which run; it is accepted together with --out DIR");
+                   " needs a run; give its directory with --out DIR");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST_CASE("A filter that finds nothing is refused before anything runs, with the
   const verify::Lines lines{{"group/case", {"group/case/value"}}, {"other/long", {"other/long/value"}}};
   using Catch::Matchers::Message;
   CHECK_THROWS_MATCHES(verify::report(cases, lines, {.filter = "no/such"}), BadInput,
-                       Message("--filter: no check is called 'no/such'; a part of group/case/quantity is accepted, "
+                       Message("--filter: no check is called 'no/such'; give a part of group/case/quantity, "
                                "the groups are group other"));
   CHECK_THROWS_MATCHES(verify::report(cases, lines, {.filter = "other"}), BadInput,
                        Message("--filter: only long checks are called 'other'; --nightly runs them"));
