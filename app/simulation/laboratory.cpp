@@ -126,11 +126,11 @@ void add_failure(LaboratoryFigures& f, const Compression& c, const std::vector<C
 }
 
 const PlaneShape& plane_of(const Assembly& assembly, Index wall) {
-  return std::get<PlaneShape>(assembly.scene.walls[static_cast<std::size_t>(wall)].shape);
+  return std::get<PlaneShape>(assembly.setup.scene.walls[static_cast<std::size_t>(wall)].shape);
 }
 
 Vec3d velocity_of(const Assembly& assembly, Index wall) {
-  const auto* linear = std::get_if<LinearMotion>(&assembly.scene.walls[static_cast<std::size_t>(wall)].motion);
+  const auto* linear = std::get_if<LinearMotion>(&assembly.setup.scene.walls[static_cast<std::size_t>(wall)].motion);
   return linear ? linear->velocity : Vec3d{0, 0, 0};
 }
 
@@ -177,7 +177,7 @@ Compression measured_compression(const Case& input, const Assembly& assembly, co
   c.closing_speed =
       dot(velocity_of(assembly, laboratory.moving) - velocity_of(assembly, laboratory.fixed), moving.normal);
   if (const auto* cylinder = input.rocks ? std::get_if<CylinderSpecimen>(&input.rocks->shapes) : nullptr) {
-    c.diameter = cylinder_diameter(*cylinder, assembly.library.rocks.front().diameter);
+    c.diameter = cylinder_diameter(*cylinder, assembly.setup.library.rocks.front().diameter);
     c.length = cylinder->slenderness * c.diameter;
   }
   const hdf5::File file = hdf5::File::open(results);

@@ -90,7 +90,7 @@ void energy_of_the_shaft(Recorder& out) {
       double motor_work = 0, spent = 0;
       for (int k = 0; k < 500; ++k) {
         const double rock = 21e3 * (1 + std::sin(0.13 * k));
-        const ShaftTurn window = shaft.turn(length, rock, motion);
+        const ShaftAdvance window = shaft.advance(length, rock, motion);
         motor_work += window.motor_work;
         spent += rock * window.angle + window.loss_work + window.kinetic_gain;
       }

@@ -93,8 +93,8 @@ TEST_CASE("Empty scenes and single spheres run", "[dem][edge]") {
   CHECK(s.position[0].x == Approx(1e-3).epsilon(1e-12));
   CHECK(s.position[0].z == Approx(-0.5 * 10 * 1e-6).epsilon(1e-12));
   CHECK(s.velocity[0].z == Approx(-1e-2).epsilon(1e-12));
-  const std::vector<ParticleId> gone{7};
-  dem->remove(gone);
+  const std::vector<ParticleId> leaving{7};
+  dem->remove(leaving);
   run(*dem, scene.dt, step, 10);
   CHECK(dem->counts().particles == 0);
   CHECK(std::abs(dem->energy().residual()) < 1e-15);

@@ -108,8 +108,8 @@ TEST_CASE("A restored scene reports and saves the same as the one that was saved
   const SavedState saved = before->save();
   after->restore(saved);
   REQUIRE(saved.get<Pair>("contacts/pair").size() > 5);
-  REQUIRE(saved.get<WallEntry>("walls/entry").size() > 2);
-  REQUIRE(!saved.get<SavedBreakage>("dem/breakages").empty());
+  REQUIRE(saved.get<WallEntry>("wall_contacts/entry").size() > 2);
+  REQUIRE(!saved.get<Breakage>("dem/breakages").empty());
   CHECK(same_columns(saved, after->save()));
   CHECK(same_bits(before->particles(), after->particles()));
   CHECK(same_bytes(std::vector{before->energy()}, std::vector{after->energy()}));
@@ -123,10 +123,10 @@ TEST_CASE("A state of the other precision, or with a column missing or too short
   CHECK_THROWS_AS(on_cpu(Precision::double_, 1)()->restore(saved), BadInput);
   const auto dem = on_cpu(Precision::mixed, 1)();
   SavedState missing = saved, shorter = saved;
-  missing.columns().erase("particles/angular_motion");
-  CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/angular_motion"));
-  std::vector<Vec3d> places = shorter.get<Vec3d>("particles/listed_position");
-  places.pop_back();
-  shorter.put("particles/listed_position", places);
+  missing.columns().erase("particles/angular_motion/velocity");
+  CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/angular_motion/velocity"));
+  std::vector<Vec3d> positions = shorter.get<Vec3d>("particles/listed_position");
+  positions.pop_back();
+  shorter.put("particles/listed_position", positions);
   CHECK_THROWS_WITH(dem->restore(shorter), Catch::Matchers::Contains("rows of particles/listed_position"));
 }
