@@ -79,7 +79,8 @@ TEST_CASE("Normal force is Hertz's plus damping, and never pulls", "[laws][conta
   }
 }
 
-TEST_CASE("Work of the damping force is booked half with the step's begin, half with its end", "[laws][contact]") {
+TEST_CASE("The work of the damping force is half that at the begin of the step and half that at its end",
+          "[laws][contact]") {
   ContactConstants<double> law = elastic_law();
   law.damping = 0.6;
   ContactMotion<double> c = resting(1e-5);
@@ -124,7 +125,7 @@ TEST_CASE("A sticking contact is Mindlin's spring, a sliding one is Coulomb's li
   CHECK(norm(tangential(load.force, c.normal)) == Approx(0.5 * -load.force.z).epsilon(1e-14));
 }
 
-TEST_CASE("The memory follows the tangent plane at equal size", "[laws][contact]") {
+TEST_CASE("The tangential spring follows the tangent plane and keeps its length", "[laws][contact]") {
   ContactMotion<double> c = resting(1e-5);
   const Vec3d before{0.01, 0, 0};
   c.normal = {std::sin(0.1), 0, std::cos(0.1)};
@@ -152,7 +153,7 @@ TEST_CASE("Load, shear, unload, shear back creates no energy", "[laws][contact]"
   CHECK(path.smallest_loss > -1e-12 * path.work);
 }
 
-TEST_CASE("Damping of any contact takes energy", "[laws][contact]") {
+TEST_CASE("Damping takes energy from any contact", "[laws][contact]") {
   ContactConstants<double> law = elastic_law();
   law.damping = 0.7;
   for (std::uint64_t k = 0; k < 300; ++k) {
@@ -165,7 +166,7 @@ TEST_CASE("Damping of any contact takes energy", "[laws][contact]") {
   }
 }
 
-TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest what balances spin and friction", "[laws][contact]") {
+TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest as much as stops spin and friction", "[laws][contact]") {
   ContactConstants<double> law = elastic_law();
   law.rolling = 0.05;
   ContactMotion<double> c = resting(1e-5);
