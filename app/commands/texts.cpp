@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
+#include "app/simulation/output/reference.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 
@@ -18,8 +19,15 @@ std::optional<Case> load_or_complain(const CaseArguments& arguments) {
   return report.loaded;
 }
 
-int describe_command(const std::string& key, bool schema) {
-  std::cout << (schema ? json_schema() : describe(key));
+int describe_command(const DescribeArguments& a) {
+  const bool outputs = a.key == "outputs";
+  if (!outputs && (a.json || a.markdown))
+    throw BadInput(
+        "--json and --markdown belong to `gyrosim describe outputs`; use --json-schema for the keys of a case");
+  if (outputs)
+    std::cout << (a.json ? outputs_json() : a.markdown ? outputs_page() : outputs_text());
+  else
+    std::cout << (a.json_schema ? json_schema() : describe(a.key));
   return exit_done;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation/liner_maps.hpp"
 
+#include "core/base/errors.hpp"
+
 #include <numbers>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -25,33 +28,68 @@ std::vector<double> pressure(const std::vector<double>& impulse, const std::vect
   return result;
 }
 
+/// Sums of a map, as a checkpoint keeps them.
+struct SavedSums {
+  std::vector<double> triangle_impulse, triangle_work, cell_impulse, cell_work;
+
+  /// Calls f(name, field) for every field, to be read or filled.
+  template <class F, class S>
+  static void for_each_field(F&& f, S& s) {
+    f("triangle_impulse", s.triangle_impulse);
+    f("triangle_work", s.triangle_work);
+    f("cell_impulse", s.cell_impulse);
+    f("cell_work", s.cell_work);
+  }
+};
+
+SurfaceSums sums_of(std::vector<double> impulse, std::vector<double> work, std::size_t pieces) {
+  if (impulse.size() != pieces || work.size() != pieces)
+    throw BadInput("has maps of the liners of another size; resume with the same output.liners");
+  SurfaceSums sums(0);
+  sums.impulse = std::move(impulse);
+  sums.work = std::move(work);
+  return sums;
+}
+
+LinerShape shape_of(const SurfaceMap& map) {
+  const UnrolledGrid& grid = map.grid();
+  LinerShape shape;
+  shape.heights = edges(grid.low, grid.high, grid.rows);
+  shape.azimuths = edges(0, 2 * std::numbers::pi, grid.sectors);
+  shape.area = map.cell_area();
+  for (const WallTriangle& t : map.triangles())
+    for (const Vec3d& corner : {t.a, t.b, t.c})
+      shape.corners.insert(shape.corners.end(), {corner.x, corner.y, corner.z});
+  return shape;
+}
+
 }  // namespace
 
 LinerMaps::LinerMaps(const Case& input, const Assembly& assembly) : asked_(input.output.liners) {
   if (!asked_) return;
+  form_.liners = true;
+  form_.wear = asked_->wear_coefficient.has_value();
   for (const WallPicture& picture : assembly.pictures) {
     const Wall& wall = assembly.scene.walls[static_cast<std::size_t>(picture.wall)];
     if (std::holds_alternative<PlaneShape>(wall.shape)) continue;
-    maps_.push_back({picture.wall, wall.name, friction_of(assembly.scene, wall),
-                     SurfaceMap(picture.mesh, asked_->rows, asked_->sectors)});
+    SurfaceMap map(picture.mesh, asked_->rows, asked_->sectors);
+    const auto table = [&](const Table<LinerReading>& maps, std::size_t pieces) {
+      return TableWriter(maps, form_, pieces, fill_in(std::string(maps.group), "<wall>", wall.name));
+    };
+    TableWriter cells = table(liner_cells_table(), map.cell_area().size());
+    TableWriter triangles = table(liner_triangles_table(), map.triangle_area().size());
+    maps_.push_back({picture.wall, wall.name, friction_of(assembly.scene, wall), std::move(map), std::move(cells),
+                     std::move(triangles)});
   }
 }
 
-std::vector<LinerMap> LinerMaps::content() const {
-  std::vector<LinerMap> all;
+void LinerMaps::declare(ResultsContent& content) const {
   for (const Mapped& m : maps_) {
-    const UnrolledGrid& grid = m.map.grid();
-    LinerMap liner{m.name, grid.cells()};
-    liner.heights = edges(grid.low, grid.high, grid.rows);
-    liner.azimuths = edges(0, 2 * std::numbers::pi, grid.sectors);
-    liner.area = m.map.cell_area();
-    for (const WallTriangle& t : m.map.triangles())
-      for (const Vec3d& corner : {t.a, t.b, t.c})
-        liner.corners.insert(liner.corners.end(), {corner.x, corner.y, corner.z});
-    liner.wear = asked_->wear_coefficient.has_value();
-    all.push_back(std::move(liner));
+    content.groups.push_back(m.cells.declaration());
+    content.groups.push_back(m.triangles.declaration());
+    for (FixedNumbers& fixed : fixed_numbers(liner_shape_table(), form_, shape_of(m.map), m.cells.declaration().name))
+      content.fixed.push_back(std::move(fixed));
   }
-  return all;
 }
 
 void LinerMaps::take(const std::vector<WallImpulse>& impulses, double time, ResultsFile& results) {
@@ -59,56 +97,48 @@ void LinerMaps::take(const std::vector<WallImpulse>& impulses, double time, Resu
   for (const WallImpulse& impulse : impulses)
     for (Mapped& m : maps_)
       if (m.wall == impulse.wall) m.map.add(impulse);
-  time_ = time;
-  if (time_ - written_ >= asked_->interval * (1 - 1e-9)) write(results);
+  times_.now = time;
+  if (times_.now - times_.written >= asked_->interval * (1 - 1e-9)) write(results);
 }
 
 void LinerMaps::save(SavedState& to) const {
   if (!asked_) return;
-  to.put("liners/times", std::vector<double>{time_, written_});
-  for (const Mapped& m : maps_) {
-    const std::string group = "liners/" + m.name;
-    to.put(group + "/triangle_impulse", m.map.by_triangle().impulse);
-    to.put(group + "/triangle_work", m.map.by_triangle().work);
-    to.put(group + "/cell_impulse", m.map.cells().impulse);
-    to.put(group + "/cell_work", m.map.cells().work);
-  }
+  to.put_fields("liner_times", times_);
+  for (const Mapped& m : maps_)
+    to.put_fields("liners/" + m.name, SavedSums{m.map.by_triangle().impulse, m.map.by_triangle().work,
+                                                m.map.cells().impulse, m.map.cells().work});
 }
 
 void LinerMaps::restore(const SavedState& from) {
   if (!asked_) return;
-  const std::vector<double> times = from.get<double>("liners/times", 2);
-  time_ = times[0];
-  written_ = times[1];
+  times_ = from.get_fields<Times>("liner_times");
   for (Mapped& m : maps_) {
-    const std::string group = "liners/" + m.name;
-    const auto sums = [&](const std::string& pieces, std::size_t count) {
-      SurfaceSums found(count);
-      found.impulse = from.get<double>(group + "/" + pieces + "_impulse", count);
-      found.work = from.get<double>(group + "/" + pieces + "_work", count);
-      return found;
-    };
-    m.map.restore(sums("triangle", m.map.by_triangle().impulse.size()), sums("cell", m.map.cells().impulse.size()));
+    auto saved = from.get_fields<SavedSums>("liners/" + m.name);
+    m.map.restore(
+        sums_of(std::move(saved.triangle_impulse), std::move(saved.triangle_work), m.map.triangle_area().size()),
+        sums_of(std::move(saved.cell_impulse), std::move(saved.cell_work), m.map.cell_area().size()));
   }
 }
 
 void LinerMaps::write(ResultsFile& results) {
   for (Mapped& m : maps_) {
-    const SurfaceSums cells = m.map.take_cells();
-    results.append_liner(m.name, time_, pressure(cells.impulse, m.map.cell_area(), time_ - written_), cells.work);
+    SurfaceSums cells = m.map.take_cells();
+    m.cells.append(results, {.time = times_.now,
+                             .pressure = pressure(cells.impulse, m.map.cell_area(), times_.now - times_.written),
+                             .work = std::move(cells.work)});
   }
-  written_ = time_;
+  times_.written = times_.now;
 }
 
 void LinerMaps::close(ResultsFile& results) {
   if (!asked_) return;
-  if (time_ > written_) write(results);
-  for (const Mapped& m : maps_) {
+  if (times_.now > times_.written) write(results);
+  for (Mapped& m : maps_) {
     const SurfaceSums& sums = m.map.by_triangle();
-    std::vector<double> wear;
+    LinerReading reading{times_.now, pressure(sums.impulse, m.map.triangle_area(), times_.now), sums.work};
     for (std::size_t t = 0; t < sums.work.size() && asked_->wear_coefficient; ++t)
-      wear.push_back(wear_depth(*asked_->wear_coefficient, sums.work[t], m.friction, m.map.triangle_area()[t]));
-    results.append_triangles(m.name, time_, pressure(sums.impulse, m.map.triangle_area(), time_), sums.work, wear);
+      reading.wear.push_back(wear_depth(*asked_->wear_coefficient, sums.work[t], m.friction, m.map.triangle_area()[t]));
+    m.triangles.append(results, reading);
   }
 }
 

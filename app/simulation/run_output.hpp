@@ -2,77 +2,80 @@
 #pragma once
 
 #include "app/simulation/liner_maps.hpp"
+#include "app/simulation/output/rows.hpp"
 #include "app/simulation/readings.hpp"
 #include "app/simulation/simulation.hpp"
 #include "io/run/results.hpp"
 #include "io/run/snapshots.hpp"
-#include "io/run/summary.hpp"
 
 #include <chrono>
 #include <filesystem>
-#include <map>
-#include <string>
 #include <vector>
 
 namespace gyro {
 
-/// What a run writes while it runs: the series, the ledger, breakages, product curves and snapshots.
-/// What a case does not have gets no column.
+/// What a run writes while it runs: results.h5 and the snapshots. What a case does not have gets no output.
 class RunOutput {
  public:
-  /// @param saved  of an output to go on with, else null; what the directory holds beyond it is dropped
-  /// @throws BadInput for a directory that does not hold what was written until then
+  /// @param saved  state of the output of a run that is resumed, else null; what the directory has beyond it is dropped
+  /// @throws BadInput for a directory that does not have what was written until then
   RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
             const std::filesystem::path& directory, const SavedState* saved = nullptr);
 
   /// Writes the snapshot of the start, if the case asks for snapshots.
   void begin(const Simulation& simulation);
-  /// Adds a window to the means; writes the row and the snapshot that are due.
+  /// Takes in a window; writes the row and the snapshot that are due.
   void take(const WindowResult& result, Simulation& simulation);
-  /// Sums and places in the files between two windows.
+  /// Saves what a resumed run needs, between two windows.
   void save(SavedState& to) const;
   /// Waits until the disk has all rows: a checkpoint must never be ahead of them.
   void sync() { results_.sync(); }
-  double earlier_seconds() const { return earlier_seconds_; }  ///< wall clock of the run's earlier parts
+  double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
   /// Writes what is left and closes the files.
   void close(Simulation& simulation);
 
-  double mean_crushing_power() const { return time_ > 0 ? crushing_work_ / time_ : 0; }  ///< over the run [W]
-  double crushing_work() const { return crushing_work_; }                                ///< [J]
+  double mean_crushing_power() const { return state_.time > 0 ? state_.crushing_work / state_.time : 0; }  ///< [W]
+  double crushing_work() const { return state_.crushing_work; }                                            ///< [J]
   const std::vector<GyrationMeans>& gyrations() const { return gyrations_.gyrations(); }
 
  private:
-  using Row = std::map<std::string, std::vector<double>>;
+  /// Everything that a checkpoint must keep beside the states of its parts.
+  struct State {
+    double time = 0;                                    ///< [s]
+    double crushing_work = 0;                           ///< since the start [J]
+    double wall_seconds = 0;                            ///< of the earlier parts of the run [s]
+    double series_interval = 0, snapshot_interval = 0;  ///< with which rows and frames were counted [s]
+    std::int64_t rows = 0, frames = 0;   ///< intervals of output.series and output.snapshots that are over
+    std::vector<double> snapshot_times;  ///< [s]
 
-  std::vector<Channel> series_channels() const;
+    /// Calls f(name, field) for every field, to be read or filled.
+    template <class F, class S>
+    static void for_each_field(F&& f, S& s) {
+      f("time", s.time);
+      f("crushing_work", s.crushing_work);
+      f("wall_seconds", s.wall_seconds);
+      f("series_interval", s.series_interval);
+      f("snapshot_interval", s.snapshot_interval);
+      f("rows", s.rows);
+      f("frames", s.frames);
+      f("snapshot_times", s.snapshot_times);
+    }
+  };
+
   ResultsContent content(const CaseRecord& record) const;
-  void restore(const SavedState& saved);
   double wall_seconds() const;
-  void add_probes(const Simulation& simulation, Row& now) const;
-  void add_means(const WindowResult& result, const Simulation& simulation);
   void write_row(Simulation& simulation);
-  void write_curves(const Simulation& simulation);
-  void write_ledger(const Simulation& simulation);
   void write_snapshot(const Simulation& simulation);
-  bool due(double interval, std::int64_t written, double time) const;
 
   const Case& input_;
   const Assembly& assembly_;
-  bool has_mantle_, has_drive_;
-  DriveKnowledge drive_knows_;
-  bool has_bonds_, has_feed_, has_product_;
-  std::vector<Channel> series_;
+  State state_;
+  RowWriter rows_;
   LinerMaps maps_;
   GyrationReader gyrations_;
   ResultsFile results_;
   SnapshotWriter snapshots_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double earlier_seconds_ = 0;
-
-  Row sums_;                ///< of window value x window length since the last row
-  double summed_time_ = 0;  ///< [s]
-  double discharged_before_ = 0, crushing_work_ = 0, time_ = 0;
-  std::int64_t rows_ = 0, frames_ = 0;  ///< intervals of output.series and output.snapshots that are over
 };
 
 }  // namespace gyro
