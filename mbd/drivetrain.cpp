@@ -133,9 +133,6 @@ void Drivetrain::take_up(const Window& window, const ShaftTurn& turn, const Shaf
   state_.motor_work += turn.motor_work;
   state_.loss_work += turn.loss_work;
   const double length = window.length();
-  means_.eccentric_speed = turn.angle / length;
-  means_.mantle_spin = turn.spun / length;
-  means_.motor_speed = turn.motor_angle / length;
   means_.motor_torque = turn.motor_impulse / length;
   means_.mantle_torque = state_.rock_torque;
   means_.motor_power = turn.motor_work / length;

@@ -54,11 +54,8 @@ struct DrivetrainState {
   std::array<double, max_events> event_time{}, event_kind{};
 };
 
-/// Means over the last window, for the series.
+/// Means over the last window, for the series. Speeds are in DrivetrainState.
 struct DrivetrainMeans {
-  double motor_speed = 0;      ///< [rad/s]
-  double eccentric_speed = 0;  ///< [rad/s]
-  double mantle_spin = 0;      ///< [rad/s]
   double motor_torque = 0;     ///< at the motor's shaft [N m]
   double mantle_torque = 0;    ///< of the rock at the eccentric, positive when it resists [N m]
   double motor_power = 0;      ///< mechanical, at the motor's shaft [W]

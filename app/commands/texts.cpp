@@ -28,6 +28,7 @@ int describe_command(const DescribeArguments& a) {
     std::cout << (a.json ? outputs_json() : a.markdown ? outputs_page() : outputs_text());
   else
     std::cout << (a.json_schema ? json_schema() : describe(a.key));
+  if (a.key.empty() && !a.json_schema) std::cout << "\n`gyrosim describe outputs` documents what a run writes.\n";
   return exit_done;
 }
 

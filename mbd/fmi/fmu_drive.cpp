@@ -34,9 +34,10 @@ DriveKnowledge knowledge_of(const FmuLinks& links) {
   const auto linked = [&](FmuQuantity quantity) { return links[static_cast<std::size_t>(quantity)].has_value(); };
   using enum FmuQuantity;
   DriveKnowledge k;
-  k.motor_speed = linked(motor_speed) || linked(motor_angle);
+  k.motor_speed = linked(motor_speed);
   k.motor_torque = linked(motor_torque) || linked(motor_impulse);
-  k.motor_power = linked(motor_power) || linked(motor_work) || (k.motor_speed && k.motor_torque);
+  k.motor_power =
+      linked(motor_power) || linked(motor_work) || ((linked(motor_speed) || linked(motor_angle)) && k.motor_torque);
   k.accounts = linked(motor_work) && linked(loss_work) && linked(kinetic_energy);
   return k;
 }
