@@ -56,11 +56,11 @@ struct DrivetrainState {
 
 /// Means over the last window, for the series. Speeds are in DrivetrainState.
 struct DrivetrainMeans {
-  double motor_torque = 0;     ///< at the motor's shaft [N m]
-  double mantle_torque = 0;    ///< of the rock at the eccentric, positive when it resists [N m]
-  double motor_power = 0;      ///< mechanical, at the motor's shaft [W]
-  double loss_power = 0;       ///< [W]
-  double crushing_power = 0;   ///< from the mantle to the rock [W]
+  double motor_torque = 0;    ///< at the motor's shaft [N m]
+  double mantle_torque = 0;   ///< of the rock at the eccentric, positive when it resists [N m]
+  double motor_power = 0;     ///< mechanical, at the motor's shaft [W]
+  double loss_power = 0;      ///< [W]
+  double crushing_power = 0;  ///< from the mantle to the rock [W]
   /// Motor power - losses - crushing power - gain of kinetic energy [W]: what the exchange of held
   /// values creates or destroys. Falls with the square of the window; large against the crushing
   /// power means that the window is too long for the rock's stiffness and the inertia. NaN for a drive that does not

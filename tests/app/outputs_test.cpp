@@ -136,7 +136,7 @@ TEST_CASE("A scene without most parts has only what is described as always there
   }
 }
 
-TEST_CASE("Powers, torques, forces and rates of the series are means; speeds, angles, masses and counts are instants") {
+TEST_CASE("Powers, torques, forces and rates of the series are means, speeds, angles, masses and counts are instants") {
   const std::map<std::string, std::string> rule{
       {"W", "mean"},     {"N m", "mean"},  {"N", "mean"},    {"kg/s", "mean"}, {"rad/s", "instant"}, {"rad", "instant"},
       {"kg", "instant"}, {"1", "instant"}, {"s", "instant"}, {"m", "instant"}, {"m/s", "instant"}};
