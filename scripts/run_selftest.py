@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows what the scripts hand on: run.sh to gyrosim, test.sh to ctest, setup.sh to apt.
+"""Tests what the scripts call: run.sh gyrosim, test.sh ctest, setup.sh apt.
 
-Works on a copy of the scripts in which programs that would build, install or run are
-replaced by ones that write down how they were called.
+Works on a copy of the scripts in which programs that would build, install or run are replaced by ones that record how they
+were called.
 """
 import json
 import shutil
@@ -93,7 +93,7 @@ class Test(ScriptTest):
         self.record(self.root / "scripts/build.sh")
         self.record(self.bin / "ctest")
 
-    def test_nightly_tests_run_only_when_asked_for(self):
+    def test_nightly_tests_run_only_on_request(self):
         for given, excluded in (
             ([], True), (["-L", "unit"], True), (["-R", "a b"], True),
             (["-L", "nightly"], False), (["-LE", "slow"], False),
@@ -113,7 +113,7 @@ class Test(ScriptTest):
 
 
 class Setup(ScriptTest):
-    """With a dpkg-query that knows no package, an id and an apt that only write down."""
+    """With a dpkg-query that knows no package, and an id and an apt that only record calls."""
 
     def setUp(self):
         super().setUp()
@@ -145,7 +145,7 @@ class Setup(ScriptTest):
         done, verbs = self.apt_calls(EXIT_apt_get="100")
         self.assertEqual((done.returncode, verbs), (1, ["install", "update"]))
 
-    def test_a_user_without_rights_is_told_what_to_do(self):
+    def test_a_user_without_rights_gets_the_command_to_run(self):
         done, verbs = self.apt_calls(USER_ID="1000", NO_SUDO="yes")
         self.assertEqual((done.returncode, verbs), (1, []))
         self.assertIn("apt-get install --no-install-recommends build-essential", done.stderr)

@@ -14,7 +14,7 @@ namespace gyro::bench {
 struct Member {
   const AccuracyScene* scene;
   std::filesystem::path folder;  ///< of the scenes
-  Setting setting;
+  KnobSetting setting;
   int seed;
 };
 

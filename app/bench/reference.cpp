@@ -55,7 +55,7 @@ Reference::Table read_table(const json& values, const AccuracyScene& scene, std:
 
 const std::string how_to_make = "`gyrosim bench accuracy --make-reference` makes it";
 
-Ensemble sound_ensemble(const AccuracyScene& scene, const std::filesystem::path& folder, const Setting& setting,
+Ensemble sound_ensemble(const AccuracyScene& scene, const std::filesystem::path& folder, const KnobSetting& setting,
                         int threads) {
   Ensemble ensemble = run_ensemble({&scene, folder, setting, 1}, scene.seeds, threads);
   if (ensemble.stopped() > 0)

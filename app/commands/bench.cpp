@@ -29,7 +29,7 @@ void require_knob(const std::string& knob) {
   if (knob.empty()) return;
   std::string known;
   for (const AccuracyScene& scene : accuracy_scenes())
-    for (const Setting& setting : settings_of(scene, false)) {
+    for (const KnobSetting& setting : settings_of(scene, false)) {
       if (setting.knob == knob) return;
       if ((known + ", ").find(setting.knob + ", ") == std::string::npos)
         known += (known.empty() ? "" : ", ") + setting.knob;

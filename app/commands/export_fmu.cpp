@@ -34,8 +34,8 @@ int export_fmu_command(const CaseArguments& arguments, const std::optional<fs::p
   if (!input) return exit_bad_input;
   const std::string name = source.file.string();
   if (input->drivetrain_fmu)
-    throw BadInput(name + ": its drivetrain is an FMU already; a case with a motor is accepted");
-  if (!input->drivetrain) throw BadInput(name + ": has no drivetrain; a case with the section drivetrain is accepted");
+    throw BadInput(name + ": its drivetrain is an FMU already; export one from a case with a motor");
+  if (!input->drivetrain) throw BadInput(name + ": has no drivetrain; export one from a case with the section drivetrain");
   const fs::path file = out.value_or(input->file.stem().string() + ".fmu");
   located(source, [&] {
     blaming("drivetrain", [&] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
-#include "app/simulation/output/reference.hpp"
+#include "app/output/tables/reference.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 

@@ -16,13 +16,16 @@
 namespace gyro {
 namespace {
 
-/// Speed at which a contact of the start state may throw its two bodies apart [m/s]. Beds of rock settled under
-/// one metre of their own kind stay below 0.1 m/s.
+/// Largest speed at which a contact of the start state may throw its two bodies apart [m/s]. Beds of rock that have settled
+/// under one metre of the same rock stay below 0.1 m/s.
 constexpr double max_speed = 0.2;
 
 /// A contact of two bodies at rest: Hertz's energy 8/15 E* sqrt(R*) d^2.5 becomes 1/2 m* v^2.
 struct Contact {
-  double youngs, radius, mass, overlap;
+  double youngs;   ///< E* [Pa]
+  double radius;   ///< R* [m]
+  double mass;     ///< m* [kg]
+  double overlap;  ///< d [m]
 
   double factor() const { return 16.0 / 15 * youngs * std::sqrt(radius) / mass; }
   double speed() const { return std::sqrt(factor() * std::pow(overlap, 2.5)); }
@@ -39,7 +42,7 @@ void expect_gentle(const Contact& contact, double smaller_radius, const std::str
   message.precision(3);
   message << bodies << " by " << contact.overlap * 1e3 << " mm, " << contact.overlap / smaller_radius
           << " of the radius, and would be thrown apart at " << contact.speed() << " m/s; an overlap of up to "
-          << contact.max_overlap() * 1e3 << " mm is accepted";
+          << contact.max_overlap() * 1e3 << " mm is possible";
   throw BadInput(message.str());
 }
 
@@ -91,7 +94,7 @@ void check_wall(const Scene& scene, const Wall& wall, std::span<const NewRock> r
       if (overlap <= 0) continue;
       const std::string name = "particle " + std::to_string(p.id);
       if (overlap > p.radius)
-        throw BadInput(name + " lies behind wall " + wall.name + "; a place in front of it is accepted");
+        throw BadInput(name + " lies behind wall " + wall.name + "; move it in front of the wall");
       expect_gentle({youngs, p.radius, mass_of(p), overlap}, p.radius, name + " overlaps wall " + wall.name);
     }
 }

@@ -86,7 +86,7 @@ void energy_of_the_shaft(Recorder& out) {
       double motor_work = 0, spent = 0;
       for (int k = 0; k < 500; ++k) {
         const double rock = 21e3 * (1 + std::sin(0.13 * k));
-        const ShaftTurn turn = shaft.turn(length, rock, motion);
+        const ShaftAdvance turn = shaft.advance(length, rock, motion);
         motor_work += turn.motor_work;
         spent += rock * turn.angle + turn.loss_work + turn.kinetic_gain;
       }

@@ -29,7 +29,6 @@ Scene scene_of(const Material& rock, const Material& wall, const PairProperties&
   Scene scene;
   scene.materials = {rock, wall};
   scene.pairs.assign(4, pair);
-  scene.rolling = pair.rolling_friction > 0;
   scene.gravity = {0, 0, 0};
   scene.dt = dt;
   return scene;

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-// Marks a function that runs on the host and on the device. The only place in the
-// project that asks which compiler is at work.
+// Marks a function that runs on the host and on the device. Only this file asks which
+// compiler is at work.
 #if defined(__CUDACC__)
 #define GYRO_HD __host__ __device__
 #else
@@ -14,10 +14,10 @@
 namespace gyro {
 
 /// Index of a particle, bond, contact or wall in its array. Signed, so that loops and
-/// differences are safe; 2^31 particles are far beyond one device's memory.
+/// differences are safe; 2^31 particles are beyond the memory of one device.
 using Index = std::int32_t;
 
-/// Number that a particle keeps for life, whatever its place in the arrays. Given in feed order.
+/// Number that a particle keeps for life, whatever its row in the columns. Given in feed order.
 using ParticleId = std::uint32_t;
 
 /// Number that a rock (meta-particle as fed) keeps for life; its fragments keep it too.

@@ -11,22 +11,22 @@ namespace gyro {
 /// Contact of two particles: force into the pair's own slot.
 template <class Real, bool held>
 struct PairForces {
-  ParticleView p;
+  ConstParticleView p;
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
   ContactLaw<Real> law;
-  double half_hold_offset;  ///< as in seen() [s]
+  double half_hold_offset;  ///< as in contact_position() [s]
   OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
-    const Pair pair = pairs.pairs[n];
+    const Pair pair = pairs.pair[n];
     const Sphere a = contact_position<held>(p, pair.i, half_hold_offset),
                  b = contact_position<held>(p, pair.j, half_hold_offset);
     const Vec3d span = b.x - a.x;
     const double sum = a.radius + b.radius, distance2 = norm2(span);
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_broken;
     const double distance = distance2 < sum * sum ? ::sqrt(distance2) : sum;
-    if (!(distance < sum) || bonded) {  // what is not finite stays alone: the guard names it
+    if (!(distance < sum) || bonded) {  // NaN pairs are treated as not touching; the guard reports them
       if (pairs.touching[n]) {
         pairs.touching[n] = 0;
         pairs.history[n] = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
 #include "core/math/select.hpp"
 #include "core/math/vec3.hpp"
 
@@ -36,7 +37,15 @@ struct ContactHistory {
   Vec3<T> elastic;  ///< elastic tangential force on i [N]
   T overlap;        ///< [m]
   Vec3<T> drag;     ///< damping force on i, normal and tangential: for the ledger alone [N]
+
+  template <class F, class... H>
+  static constexpr void for_each_field(F&& f, H&... h) {
+    f("elastic", h.elastic...);
+    f("overlap", h.overlap...);
+    f("drag", h.drag...);
+  }
 };
+static_assert(declares_every_field<ContactHistory<float>>);
 
 /// Loads on body i, what the contact remembers, and what the ledger needs.
 template <class T>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/simulation/output/table_writer.hpp"
-#include "app/simulation/output/tables.hpp"
+#include "app/output/tables/table_writer.hpp"
+#include "app/output/tables/tables.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
 
@@ -110,8 +110,8 @@ TEST_CASE("The means of a row that was interrupted are those of one piece") {
   whole.add(a), whole.add(b);
   first.add(a);
   SavedState saved;
-  saved.put_fields("t", first.state());
-  second.restore(saved.get_fields<TableWriter<Now, Span>::State>("t"));
+  saved.put_one("t", first.state());
+  second.restore(saved.get_one<TableWriter<Now, Span>::State>("t"));
   second.add(b);
   CHECK(second.state().sums == whole.state().sums);
   CHECK(second.length() == whole.length());

@@ -14,13 +14,11 @@ inline constexpr double breaking_dt = 4e-7;  // [s]
 inline Scene breaking_scene() {
   Scene scene = plain_scene(breaking_dt);
   scene.pairs.assign(4, {0.4, 0.3, 0.01});
-  scene.rolling = true;
   scene.gravity = {0, 0, -9.81};
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;
   scene.bonds->tensile_strength = 4e6;
   scene.bonds->shear_strength = 3e6;
-  scene.largest_radius = 0.01;
   scene.walls.push_back({"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1});
   scene.walls.push_back(
       {"shell", ProfileShape{{{0.07, -0.01}, {0.07, 0.1}, {0.09, 0.2}}}, RotationMotion{{0, 0, 1}, {0, 0, 0}, 20}, 1});
@@ -65,7 +63,7 @@ struct Outcome {
   Vec3d momentum;
 };
 
-/// Runs the scene: falls, is fed once more, loses the lowest fragments, goes on.
+/// Runs the scene: falls, is fed once more, loses the lowest fragments, runs to its end.
 inline Outcome break_rocks(Dem& dem) {
   Outcome out;
   std::int64_t step = 0;

@@ -29,7 +29,6 @@ TEST_CASE("H30 a number that is not finite stops the run at the end of its windo
 TEST_CASE("H32 sixty-four threads give the bits of one", "[hard]") {
   Scene scene = plain_scene(2e-6);
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
   scene.bonds = paper_bonds();
   scene.bonds->tensile_strength = scene.bonds->shear_strength = 2e5;
   scene.walls = box({0.2, 0.2, 0.2});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of the coupled machine: what is too hard or too large must block, stall and spring back, never pass.
+#include "app/assembly/assembly.hpp"
 #include "app/simulation/device.hpp"
-#include "app/simulation/simulation.hpp"
 #include "core/base/errors.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
@@ -17,8 +17,9 @@ using namespace gyro;
 struct OneSphere {
   OneSphere(double diameter, const std::string& shear_modulus, const std::vector<std::string>& set = {})
       : input(made(diameter, shear_modulus, set)),
-        assembly(assemble(input)),
-        simulation(input, assembly, make_dem(Device{}, assembly.scene, Precision::double_)) {}
+        setup(assemble(input).setup),
+        owned(make_simulation(input, setup, make_dem(Device{}, setup.scene, Precision::double_))),
+        simulation(*owned) {}
 
   Case made(double diameter, const std::string& shear_modulus, const std::vector<std::string>& set) const {
     place.write("p.csv", "id,x,y,z,r\n1,-0.113,0,0.09," + std::to_string(diameter / 2) + "\n");
@@ -69,8 +70,9 @@ drivetrain:
 
   Workplace place;
   Case input;
-  Assembly assembly;
-  Simulation simulation;
+  Setup setup;
+  std::unique_ptr<Simulation> owned;
+  Simulation& simulation;
   double lowest = 1, fastest = 0, backward = 0, deepest = 0, stored = 0, work = 0, force = 0;
 };
 

@@ -159,7 +159,6 @@ TEST_CASE("H7 beds on both sides of a thin plate do not feel each other", "[hard
   const auto outcome = [&](bool above, bool below) {
     Scene scene = plain_scene(2e-6);
     scene.pairs.assign(4, {0.5, 0.3, 0.01});
-    scene.rolling = true;
     scene.walls = box({0.06, 0.06, 0.2});
     MeshShape plate = sheet(0.1, 11, thick / 2);
     if (thick > 0) {
@@ -211,7 +210,6 @@ TEST_CASE("H21 H22 a floor of bad triangles is the floor", "[hard]") {
     Scene scene = plain_scene(5e-6);
     scene.gravity = {0, 0, -9.81};
     scene.pairs.assign(4, {0.4, 0.5, 0.01});
-    scene.rolling = true;
     MeshShape floor = sheet(1, 2);
     if (bad) {
       floor = sheet(1, 6);

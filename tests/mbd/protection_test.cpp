@@ -168,7 +168,7 @@ TEST_CASE("Coupling spring: the two-mass oscillation, and its energy", "[mbd][pr
   const double energy = shaft.energy(motion);
   const double frequency = std::sqrt(stiffness * (1 / 50.0 + 3.75 * 3.75 / 5000));  // rad/s
   const double time = 12.3 / frequency;
-  for (int k = 0; k < 100; ++k) shaft.turn(time / 100, 0.0, motion);
+  for (int k = 0; k < 100; ++k) shaft.advance(time / 100, 0.0, motion);
   CHECK(motion.twist == Approx(0.01 * std::cos(12.3)).epsilon(1e-6));
   CHECK(shaft.energy(motion) == Approx(energy).epsilon(1e-9));
 }

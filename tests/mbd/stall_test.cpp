@@ -92,7 +92,7 @@ TEST_CASE("Stuck is left only beyond the static friction", "[mbd][stall]") {
   const double forward_limit = (motor - idle) / 1.2, backward_limit = (motor + idle) / 0.8;
   const auto direction_under = [&](double torque) {
     ShaftMotion motion;
-    shaft.turn(length, torque, motion);
+    shaft.advance(length, torque, motion);
     CHECK((motion.direction == 0) == (motion.speed == 0));
     return motion.direction;
   };

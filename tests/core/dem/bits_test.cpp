@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not change a bit: threads, list margins, order of arrival, windows, rock that left.
+// What must not change a bit: threads, skin of the lists, order of arrival, windows, rock that left.
 #include "tests/catch.hpp"
 #include "tests/core/dem/scenes.hpp"
 
@@ -15,7 +15,6 @@ Scene busy_scene() {
   Scene scene = plain_scene(dt);
   scene.gravity = {0, 0, -9.81};
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
   scene.wall_impulses = true;
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;
@@ -106,14 +105,14 @@ TEST_CASE("Threads change no bit", "[dem][bits]") {
   }
 }
 
-TEST_CASE("The margin of the neighbour lists changes no bit", "[dem][bits]") {
+TEST_CASE("The skin of the neighbour lists changes no bit", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = busy_scene();
   const Outcome automatic = outcome(scene, precision, 1, busy_rocks(3));
   REQUIRE(automatic.impulses.size() > 100);
-  for (const double margin : {2e-5, 3e-3, 2e-2}) {
-    INFO("margin " << margin);
-    scene.neighbour_skin = margin;
+  for (const double skin : {2e-5, 3e-3, 2e-2}) {
+    INFO("skin " << skin);
+    scene.neighbour_skin = skin;
     const Outcome other = outcome(scene, precision, 1, busy_rocks(3));
     check_same(automatic, other);
     CHECK(automatic.residual == other.residual);

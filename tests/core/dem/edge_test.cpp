@@ -37,9 +37,9 @@ double error_of_forces(const Dem& dem, const Material& m) {
 }  // namespace
 
 TEST_CASE("Every contact is found between sizes of 1:60", "[dem][search]") {
-  const double margin = GENERATE(0.0, 0.01);
+  const double skin = GENERATE(0.0, 0.01);
   Scene scene = plain_scene(1e-9);
-  scene.neighbour_skin = margin;
+  scene.neighbour_skin = skin;
   std::vector<NewRock> spheres;
   for (ParticleId k = 0; k < 900; ++k) {
     const double radius = k < 6 ? 0.25 : 0.0042 * std::pow(20, 0.5 + 0.5 * random_number(k, 8));
@@ -89,8 +89,8 @@ TEST_CASE("Empty scenes and lone spheres run", "[dem][edge]") {
   CHECK(s.position[0].x == Approx(1e-3).epsilon(1e-12));
   CHECK(s.position[0].z == Approx(-0.5 * 10 * 1e-6).epsilon(1e-12));
   CHECK(s.velocity[0].z == Approx(-1e-2).epsilon(1e-12));
-  const std::vector<ParticleId> gone{7};
-  dem->remove(gone);
+  const std::vector<ParticleId> leaving{7};
+  dem->remove(leaving);
   run(*dem, scene.dt, step, 10);
   CHECK(dem->counts().particles == 0);
   CHECK(std::abs(dem->energy().residual()) < 1e-15);

@@ -19,7 +19,6 @@ struct Crush {
 Crush crush(Precision precision, double dt) {
   Scene scene = plain_scene(dt);
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;
   scene.bonds->tensile_strength = 3.6e6;
@@ -58,7 +57,6 @@ TEST_CASE("Walls feel the opposite of what the rock feels", "[dem][ledger]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = plain_scene(5e-6);
   scene.pairs.assign(4, {0.4, 0.3, 0.01});
-  scene.rolling = true;
   scene.walls = box({0.0445, 0.0445, 0.0445});
   scene.walls[0].motion = LinearMotion{{1, 0, 0}};
   const auto dem = make_cpu_dem(scene, precision, 1);
@@ -91,7 +89,6 @@ TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][w
     Scene scene = plain_scene(dt);
     scene.gravity = {0, 0, -9.81};
     scene.pairs.assign(4, {0.4, 0.6, 0.01});
-    scene.rolling = true;
     Wall floor{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1};
     if (kind == 1) floor.shape = mesh;
     if (kind == 2) floor.shape = profile;

@@ -56,7 +56,7 @@ inline NewRock lattice_rock(RockId id, int n, double d, double bond_radius, doub
                                   {0, 0, 0},
                                   d / 2,
                                   density});
-  // Bonds along one axis that start at even (odd) places share no particle: six colours.
+  // Bonds along one axis that start at even (odd) numbers share no particle: six colours.
   rock.colour_begin.push_back(0);
   for (int axis = 0; axis < 3; ++axis)
     for (int odd = 0; odd < 2; ++odd) {
@@ -100,7 +100,7 @@ inline Vec3d random_vector(std::uint64_t thing, std::uint32_t draw) {
   return {random_number(thing, draw), random_number(thing, draw + 1), random_number(thing, draw + 2)};
 }
 
-/// nx x ny x nz spheres on a jittered lattice about the origin, with random velocities and spins.
+/// nx x ny x nz spheres on a jittered lattice about the origin, with random velocities and angular velocities.
 inline std::vector<NewRock> cloud(int nx, int ny, int nz, double spacing, double radius, double speed,
                                   ParticleId first = 0) {
   std::vector<NewRock> rocks;
@@ -116,7 +116,7 @@ inline std::vector<NewRock> cloud(int nx, int ny, int nz, double spacing, double
   return rocks;
 }
 
-/// Moves and turns a rock as a whole; the spheres keep their ids, counted from `first` on.
+/// Moves and rotates a rock as a whole; the spheres keep their ids, counted from `first` on.
 inline NewRock placed(NewRock rock, RockId id, ParticleId first, Vec3d to, Quatd orientation = {1, 0, 0, 0}) {
   rock.id = id;
   for (NewParticle& p : rock.particles) {

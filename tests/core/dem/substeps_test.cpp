@@ -44,7 +44,6 @@ struct Crush {
 Crush crush(int hold, double dt) {
   Scene scene = plain_scene(dt);
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
   scene.substeps = hold;
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;

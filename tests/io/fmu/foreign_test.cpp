@@ -117,7 +117,7 @@ TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
   ShaftMotion motion = drive->start();
   std::vector<DriveEvent> events;
   const auto go_on = [&](double torque) {
-    for (const DriveEvent& event : drive->turn(1e-3, {.rock_torque = torque}, motion).events) events.push_back(event);
+    for (const DriveEvent& event : drive->advance(1e-3, {.rock_torque = torque}, motion).events) events.push_back(event);
   };
   for (int k = 0; k < 20; ++k) go_on(1);
   REQUIRE(events.size() == 1);
