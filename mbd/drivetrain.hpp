@@ -46,7 +46,7 @@ struct DrivetrainState {
 
   /// Calls f(name, field) for every field, to be read or filled.
   template <class F, class S>
-  static void for_each_field(F&& f, S& s) {
+  static constexpr void for_each_field(F&& f, S& s) {
     f("time", s.time);
     f("angle", s.angle);
     f("speed", s.speed);
@@ -71,7 +71,7 @@ struct DrivetrainState {
     f("exchanged_mean", s.exchanged_mean);
     f("windows_judged", s.windows_judged);
     f("start_energy", s.start_energy);
-    SwitchState::for_each_field(f, s.motor);
+    f("motor", s.motor);
     f("events", s.events);
     f("event_time", s.event_time);
     f("event_kind", s.event_kind);

@@ -11,7 +11,7 @@ namespace {
 
 BadInput refused(const std::filesystem::path& path, const std::string& why) {
   return BadInput(path.string() + ": " + why +
-                  "; restore the results that belong to the checkpoint, or start again with --overwrite");
+                  "; restore the file that belongs to the checkpoint, or use --overwrite to start the run again");
 }
 
 /// Whether a child of a group is one of the content's groups or datasets.
