@@ -126,7 +126,7 @@ class Reader {
   bool read_value(Setting& setting, const Key& key, const YamlEntry& entry, const std::string& path) {
     const YamlNode& node = entry.value;
     if (node.kind == Kind::null) {
-      problem(entry.mark, path + " is empty; " + "give " + form_of(key));
+      problem(entry.mark, path + " is empty; give " + form_of(key));
       return false;
     }
     if (key.type == KeyType::section) return read_map(setting, key, entry, path);
