@@ -101,14 +101,14 @@ struct Setting {
 
   /// The setting at a path below this one, `radius.relative`; null where there is none.
   const Setting* find(std::string_view path) const;
-  /// Whether a key of this section is neither there nor lost: nobody wrote it.
+  /// Whether the file does not mention this key of the section at all.
   bool lacks(std::string_view child) const;
   double number(std::string_view path) const { return find(path)->numbers.at(0); }
   const std::string& text(std::string_view path) const { return find(path)->texts.at(0); }
 };
 
 /// Checks a document against the table and fills in defaults. Problems are added in the order of the
-/// document; what is wrong is left out of the result.
+/// document; wrong settings are left out of the result.
 Setting read_settings(const YamlNode& root, std::vector<MarkedProblem>& problems);
 
 /// The settings as YAML: SI numbers, all defaults, in the table's order.
