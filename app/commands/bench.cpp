@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/report.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/program_files.hpp"
 #include "app/version.hpp"
 
 #include <cstdio>
@@ -49,7 +50,7 @@ int make_references(const std::vector<AccuracyScene>& scenes, const std::filesys
 }  // namespace
 
 int bench_accuracy_command(const BenchAccuracyArguments& a) {
-  const std::filesystem::path folder = a.folder.value_or(default_scene_folder());
+  const std::filesystem::path folder = a.folder.value_or(case_folder() / "bench/accuracy");
   const std::vector<AccuracyScene> scenes = chosen(a.scene);
   require_knob(a.knob);
   if (a.make_reference) return make_references(scenes, folder, a.threads);

@@ -64,6 +64,37 @@ void check_contacts(const Setting& root, CaseProblems& log) {
   }
 }
 
+/// Whether a wall is made of a material.
+bool is_wall_material(const Setting& root, const std::string& material) {
+  const Setting* walls = root.find("walls");
+  return walls != nullptr && std::any_of(walls->children.begin(), walls->children.end(), [&](const Setting& wall) {
+           return wall.find("material") != nullptr && wall.text("material") == material;
+         });
+}
+
+/// Rock meets all walls under one contact law. The rolling law of a pair without rolling friction does not matter.
+void check_wall_laws(const Setting& root, CaseProblems& log) {
+  const Setting* contacts = root.find("contacts");
+  if (contacts == nullptr) return;
+  const Setting *normal = nullptr, *rolling = nullptr;
+  const auto expect_same = [&](const Setting* law, const Setting*& first) {
+    if (law == nullptr) return;
+    if (first == nullptr) first = law;
+    if (first->texts[0] != law->texts[0])
+      log.add(law->mark, "rock meets another wall with " + law->name + ": " + first->texts[0] +
+                             "; give all pairs of rock and a wall the same law");
+  };
+  for (const Setting& pair : contacts->children) {
+    const std::size_t slash = pair.name.find('/');
+    const std::string a = pair.name.substr(0, slash), b = pair.name.substr(slash + 1);
+    if (a != "rock" && b != "rock") continue;
+    if (!is_wall_material(root, a == "rock" ? b : a)) continue;
+    expect_same(pair.find("normal"), normal);
+    const Setting* friction = pair.find("rolling_friction");
+    if (friction != nullptr && friction->numbers[0] > 0) expect_same(pair.find("rolling"), rolling);
+  }
+}
+
 void expect_direction(const Setting* vector, const std::string& what, CaseProblems& log) {
   if (vector == nullptr) return;
   const std::vector<double>& v = vector->numbers;
@@ -274,6 +305,7 @@ void check_run(const Setting& root, CaseProblems& log) {
 
 void check_settings(const Setting& root, CaseProblems& log) {
   check_contacts(root, log);
+  check_wall_laws(root, log);
   check_walls(root, log);
   check_machine(root, log);
   check_feed(root, log);

@@ -42,7 +42,11 @@ const std::vector<Key> material_keys = {
     {.path = "contacts.<pair>.restitution", .type = quantity, .required = true, .range = {.low = 0, .high = 1, .low_open = true},
      .doc = "Coefficient of restitution of a normal impact of two particles."},
     {.path = "contacts.<pair>.rolling_friction", .type = quantity, .fallback = "0", .range = not_negative,
-     .doc = "Rolling torque / (effective radius x normal force)."},
+     .doc = "Largest rolling torque / (effective radius x normal force)."},
+    {.path = "contacts.<pair>.normal", .type = word, .fallback = "hertz", .words = "hertz|hysteretic",
+     .doc = "Normal force: Hertz's with a dashpot, or a linear spring that unloads more steeply than it loads."},
+    {.path = "contacts.<pair>.rolling", .type = word, .fallback = "constant", .words = "constant|spring_dashpot",
+     .doc = "Rolling resistance: a constant torque, or a spring and a dashpot up to the same torque."},
 
     {.path = "bonds", .one_of = "normal_stiffness+shear_stiffness|modulus+stiffness_ratio",
      .doc = "Bonds between the particles of a rock; leave the section out for unbreakable spheres."},

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace gyro {
 namespace {
@@ -126,6 +127,11 @@ const Setting* Setting::find(std::string_view path) const {
     return dot == std::string_view::npos ? &child : child.find(path.substr(dot + 1));
   }
   return nullptr;
+}
+
+const Setting& Setting::needed(std::string_view path) const {
+  if (const Setting* found = find(path)) return *found;
+  throw std::logic_error("the setting " + name + " has no " + std::string(path));
 }
 
 bool Setting::lacks(std::string_view child) const {

@@ -103,8 +103,12 @@ struct Setting {
   const Setting* find(std::string_view path) const;
   /// Whether the file does not mention this key of the section at all.
   bool lacks(std::string_view child) const;
-  double number(std::string_view path) const { return find(path)->numbers.at(0); }
-  const std::string& text(std::string_view path) const { return find(path)->texts.at(0); }
+  /// First number or text of the setting at a path. @throws std::logic_error where there is none
+  double number(std::string_view path) const { return needed(path).numbers.at(0); }
+  const std::string& text(std::string_view path) const { return needed(path).texts.at(0); }
+
+ private:
+  const Setting& needed(std::string_view path) const;
 };
 
 /// Checks a document against the table and fills in defaults. Problems are added in the order of the

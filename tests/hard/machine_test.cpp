@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of the coupled machine: what is too hard or too large must block, stall and spring back, never pass.
+// Hard cases of the coupled machine: rock that is too hard or too large blocks, stalls and throws back, and never
+// passes.
 #include "app/assembly/assembly.hpp"
 #include "app/simulation/device.hpp"
 #include "core/base/errors.hpp"
@@ -48,7 +49,7 @@ drivetrain:
     return report.loaded.value();
   }
 
-  /// Runs on. @return whether the guard had nothing to say
+  /// Runs up to a time. @return whether the guard did not stop it
   bool until(double time) {
     while (simulation.time() < time) {
       const WindowResult result = simulation.advance();
@@ -78,7 +79,7 @@ drivetrain:
 
 }  // namespace
 
-TEST_CASE("H8 H17 H18 a sphere that cannot be crushed stalls the drive and throws it back by what it stored",
+TEST_CASE("H8 H17 H18 a sphere that cannot be crushed stalls the drive and throws it back with the stored energy",
           "[hard]") {
   const std::string modulus = "20 GPa";  // 24 mm, larger than the open side: a smaller one falls through
   OneSphere run(0.024, modulus);
@@ -108,13 +109,13 @@ TEST_CASE("H10 a sphere larger than the open side setting never passes", "[hard]
                             : std::vector<std::string>{});
   const bool sound = run.until(0.6);
   INFO(diameter << " m, " << modulus << ", unstoppable " << unstoppable << ": lowest " << run.lowest << " m, overlap "
-                << run.deepest << " R, " << run.force << " N; " << run.simulation.verdict().value_or("no word"));
+                << run.deepest << " R, " << run.force << " N; " << run.simulation.verdict().value_or("no verdict"));
   CHECK(run.lowest > 0);
   CHECK(run.simulation.dem().counts().particles == 1);
   if (!unstoppable) CHECK(sound);
 }
 
-TEST_CASE("H19 a light machine with long windows shows in its power residual or is stopped", "[hard]") {
+TEST_CASE("H19 a light machine with long windows has a large power residual or is stopped", "[hard]") {
   const auto residual = [](const std::string& interval) {
     OneSphere run(0.024, "20 GPa",
                   {"coupling.interval=" + interval, "drivetrain.inertia.eccentric=0.001 kg m2",
@@ -134,8 +135,8 @@ TEST_CASE("H19 a light machine with long windows shows in its power residual or 
   CHECK(fine < 0.25 * coarse);
 }
 
-TEST_CASE("H20 windows much shorter than a solver's step cost and err no more", "[hard]") {
-  // A hundred windows in the place of one: the same speed.
+TEST_CASE("H20 windows much shorter than the solver's step change no result", "[hard]") {
+  // A hundred windows in place of one give the same speed.
   const auto speed_after = [](const std::string& interval) {
     OneSphere run(0.0187, "1 GPa", {"coupling.interval=" + interval, "drivetrain.start=rest"});
     REQUIRE(run.until(0.02));
@@ -146,9 +147,9 @@ TEST_CASE("H20 windows much shorter than a solver's step cost and err no more", 
   CHECK(many == Approx(one).epsilon(1e-8));
 }
 
-TEST_CASE("H20 a load that is not finite does not get into the drive", "[hard]") {
-  // Each number of the load alone. CVODE would notice some of them at an induction motor; a motor of constant speed
-  // integrates nothing, and the work enters its account alone.
+TEST_CASE("H20 a load that is not finite does not enter the drive", "[hard]") {
+  // Each number of the load alone. With an induction motor CVODE would notice some of them; a motor of constant speed
+  // integrates nothing, and the work only enters its balance.
   const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   const auto number = GENERATE(0, 1, 2, 3, 4);
   const bool constant = GENERATE(false, true);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace gyro {
 namespace {
+
+using namespace fixtures;
 
 const CurveMotor catalogue{.speeds = {0, 40, 90, 100, 110}, .torques = {200, 180, 250, 50, -150}};
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Relays, brake and restart, voltage, and the coupling spring.
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 namespace gyro {
 namespace {
+
+using namespace fixtures;
 
 using enum DriveEventKind;
 
@@ -173,7 +175,7 @@ TEST_CASE("Coupling spring: the two-mass oscillation, and its energy", "[mbd][pr
   CHECK(shaft.energy(motion) == Approx(energy).epsilon(1e-9));
 }
 
-TEST_CASE("A stiff coupling spring is as good as a rigid shaft", "[mbd][protection]") {
+TEST_CASE("A stiff coupling spring acts as a rigid shaft", "[mbd][protection]") {
   DrivetrainParameters machine = crusher_62_75(induction_450kw());
   machine.losses.no_load_power = 100e3;
   Drivetrain rigid(machine);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exported drivetrain, driven by our own master, against the built-in one.
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
 #include "io/fmu/export.hpp"
@@ -7,13 +8,13 @@
 #include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <cmath>
 
 namespace {
 
 using namespace gyro;
+using namespace gyro::fixtures;
 using Catch::Matchers::Contains;
 
 /// Everything a drive can have: two cages, spin, bearings, spring, supply that sags, relays that act.

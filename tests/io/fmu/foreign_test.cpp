@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A drivetrain of another program in the loop: no saved state, sums left out, units of its own, failures.
 #include "tests/io/fmu/foreign.hpp"
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
 #include "mbd/drivetrain.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <cmath>
 
 namespace {
 
 using namespace gyro;
+using namespace gyro::fixtures;
 using Catch::Matchers::Contains;
 
 DriveFmu foreign(const std::filesystem::path& file) {
