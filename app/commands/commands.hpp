@@ -74,7 +74,7 @@ int export_fmu_command(const CaseArguments& arguments, const std::optional<std::
 int init_command(const std::string& name);
 int info_command(bool json);
 
-/// Does `work` on a case; a key to blame becomes its place in the file. @throws BadInput
+/// Does `work` on a case; a BadKey becomes a message with the place of the key in the file. @throws BadInput
 template <class Work>
 auto located(const CaseArguments& arguments, Work&& work) {
   try {
