@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
+
 #include <array>
 #include <optional>
 #include <span>
@@ -59,18 +61,18 @@ struct SwitchState {
   double restart_at = -1;  ///< [s]; < 0: no restart is due
   double restarts = 0;     ///< so far
 
-  /// Calls f(name, field) for every field, to be read or filled.
-  template <class F, class S>
-  static void for_each_field(F&& f, S& s) {
-    f("sense", s.sense);
-    f("last_sense", s.last_sense);
-    f("heat", s.heat);
-    f("armed", s.armed);
-    f("slow_since", s.slow_since);
-    f("restart_at", s.restart_at);
-    f("restarts", s.restarts);
+  template <class F, class... S>
+  static constexpr void for_each_field(F&& f, S&... s) {
+    f("sense", s.sense...);
+    f("last_sense", s.last_sense...);
+    f("heat", s.heat...);
+    f("armed", s.armed...);
+    f("slow_since", s.slow_since...);
+    f("restart_at", s.restart_at...);
+    f("restarts", s.restarts...);
   }
 };
+static_assert(declares_every_field<SwitchState>);
 
 /// The relays: their limits as roots of the equation of motion, and what they do.
 class Protection {

@@ -33,8 +33,8 @@ LinerMaps::LinerMaps(const Case& input, const Assembly& assembly) : asked_(input
     const Scene& scene = assembly.setup.scene;
     const Wall& wall = scene.walls[static_cast<std::size_t>(picture.wall)];
     if (std::holds_alternative<PlaneShape>(wall.shape)) continue;
-    maps_.push_back({picture.wall, wall.name, friction_of(scene, wall),
-                     SurfaceMap(picture.mesh, asked_->rows, asked_->sectors)});
+    maps_.push_back(
+        {picture.wall, wall.name, friction_of(scene, wall), SurfaceMap(picture.mesh, asked_->rows, asked_->sectors)});
   }
 }
 

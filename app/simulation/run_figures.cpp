@@ -19,7 +19,8 @@ void add_product(Summary& s, const Case& input, const Assembly& assembly, const 
   s.product_below_css = passing_at(row.passing, input.crusher->closed_side_setting);
   s.product_below_oss = passing_at(row.passing, open_side_setting(*input.crusher));
   s.singles_share = row.singles_share;
-  if (input.bonds && !assembly.setup.library.rocks.empty()) s.swell_of_crumbled = swell_of_crumbled(assembly.setup.library);
+  if (input.bonds && !assembly.setup.library.rocks.empty())
+    s.swell_of_crumbled = swell_of_crumbled(assembly.setup.library);
 }
 
 void add_drive(Summary& s, const Simulation& simulation, const RunOutput& output) {

@@ -119,8 +119,7 @@ std::vector<Channel> RunOutput::series_channels() const {
     c.push_back({"mantle_force", "N", 3});
   }
   for (std::size_t w = 0; w < assembly_.setup.scene.walls.size(); ++w)
-    if (static_cast<Index>(w) != gyrating_)
-      c.push_back({"wall_force_" + assembly_.setup.scene.walls[w].name, "N", 3});
+    if (static_cast<Index>(w) != gyrating_) c.push_back({"wall_force_" + assembly_.setup.scene.walls[w].name, "N", 3});
   if (has_feed_) c.push_back({"feed_mass", "kg"});
   if (has_product_) {
     c.push_back({"discharged_mass", "kg"});
@@ -337,7 +336,8 @@ void RunOutput::restore(const SavedState& from) {
   earlier_seconds_ = numbers[4];
   // With another interval the next frame is the first that lies ahead.
   const CaseOutput& now = input_.output;
-  frames_ = now.snapshots == numbers[5] ? from.get_one<std::int64_t>("output/frames") : intervals(now.snapshots, time_) + 1;
+  frames_ =
+      now.snapshots == numbers[5] ? from.get_one<std::int64_t>("output/frames") : intervals(now.snapshots, time_) + 1;
 }
 
 void RunOutput::close(const Simulation& simulation) {

@@ -16,8 +16,8 @@
 namespace gyro {
 namespace {
 
-/// Largest speed at which a contact of the start state may throw its two bodies apart [m/s]. Beds of rock that have settled
-/// under one metre of the same rock stay below 0.1 m/s.
+/// Largest speed at which a contact of the start state may throw its two bodies apart [m/s]. Beds of rock that have
+/// settled under one metre of the same rock stay below 0.1 m/s.
 constexpr double max_speed = 0.2;
 
 /// A contact of two bodies at rest: Hertz's energy 8/15 E* sqrt(R*) d^2.5 becomes 1/2 m* v^2.

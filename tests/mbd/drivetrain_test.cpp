@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace gyro {
@@ -28,19 +28,16 @@ double crushing(double begin, double end) {
 
 /// Bytes of all fields.
 std::vector<std::uint8_t> bits(const DrivetrainState& state) {
+  SavedState saved;
+  saved.put_one("drivetrain", state);
   std::vector<std::uint8_t> all;
-  const auto add = [&](const auto& number) {
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&number);
-    all.insert(all.end(), bytes, bytes + sizeof number);
-  };
-  DrivetrainState::for_each_field(
-      [&]<class T>(const char*, const T& field) {
-        if constexpr (std::is_arithmetic_v<T>)
-          add(field);
-        else
-          for (const auto& number : field) add(number);
-      },
-      state);
+  for (const auto& [name, column] : saved.columns())
+    std::visit(
+        [&](const auto& numbers) {
+          const auto* bytes = reinterpret_cast<const std::uint8_t*>(numbers.data());
+          all.insert(all.end(), bytes, bytes + numbers.size() * sizeof numbers[0]);
+        },
+        column.numbers);
   return all;
 }
 
@@ -140,8 +137,8 @@ TEST_CASE("A run that goes on from a saved state repeats the bits", "[mbd][drive
   for (int k = 0; k < 400; ++k) exchange(whole, window_number(k, 1e-3), crushing);
   for (int k = 0; k < 150; ++k) exchange(first, window_number(k, 1e-3), crushing);
   SavedState saved;
-  saved.put_fields("drivetrain", first.state());
-  second.restore(saved.get_fields<DrivetrainState>("drivetrain"));
+  saved.put_one("drivetrain", first.state());
+  second.restore(saved.get_one<DrivetrainState>("drivetrain"));
   for (int k = 150; k < 400; ++k) exchange(second, window_number(k, 1e-3), crushing);
   CHECK(bits(whole.state()) == bits(second.state()));
 }
