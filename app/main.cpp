@@ -39,7 +39,7 @@ void add_run(CLI::App& command, RunArguments& a) {
   command.add_option("--threads", a.threads, "threads of the CPU engine; default all cores")
       ->check(CLI::Range(1, 4096))
       ->envname("GYROSIM_THREADS");
-  command.add_flag("--resume", a.resume, "go on with a run that was interrupted");
+  command.add_flag("--resume", a.resume, "continue a run that was interrupted");
   command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
   command.add_option("--until", seconds_into(a.until), "end at this simulated time instead of time.duration")
       ->type_name("TIME");
@@ -54,7 +54,7 @@ void add_bench_accuracy(CLI::App& command, BenchAccuracyArguments& a) {
   command.add_option("--threads", a.threads, "runs side by side, each on one thread")->check(CLI::Range(1, 4096));
   command.add_flag("--quick", a.quick, "few points and three seeds");
   command.add_option("--folder", a.folder, "scenes and reference.json; default those of the source folder");
-  command.add_flag("--make-reference", a.make_reference, "make the references anew and write reference.json");
+  command.add_flag("--make-reference", a.make_reference, "make the references again and write reference.json");
   command.add_flag("--json", a.json, "one JSON document on standard output");
 }
 

@@ -120,7 +120,7 @@ Reference read_reference(const std::filesystem::path& file, const AccuracyScene&
     r.command = j.at("command");
     if (r.fingerprint != fingerprint(scene, folder))
       throw BadInput(file.string() + ": the reference of " + scene.name +
-                     " was made with another case or start state; " + how_to_make + " anew");
+                     " was made with another case or start state; " + how_to_make + " again");
     for (const Metric& metric : scene.metrics)
       if (r.fine.at(metric.name).size() != seeds || r.coarse.at(metric.name).size() != seeds)
         throw std::out_of_range(metric.name);
