@@ -8,15 +8,18 @@
 // The scenes use no function whose last bit depends on the maths library (sin, exp, hypot): no rotating wall, profiles
 // along the axes and, in double precision, no restitution below 1, whose damping constant is found with exp and acos.
 // In mixed precision that constant is rounded to single precision, far above the differences of libraries.
+#include "app/verify/fixtures/random.hpp"
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "tests/catch.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 #include <cstring>
 #include <iomanip>
 #include <sstream>
 
 using namespace gyro;
-using namespace gyro::test;
+using namespace gyro::fixtures;
 
 namespace {
 
@@ -88,8 +91,7 @@ void add_bonds(Scene& scene) {
 }
 
 NewRock turned_rock(RockId id, Vec3d to) {
-  NewRock rock =
-      placed(lattice_rock(0, 4, 0.025, 0.005, 2600), id, static_cast<ParticleId>(100 * id), to, {0.8, 0.36, 0.48, 0});
+  NewRock rock = placed(lattice(0, 4), id, static_cast<ParticleId>(100 * id), to, {0.8, 0.36, 0.48, 0});
   scatter_strength(rock);
   return rock;
 }
@@ -100,7 +102,7 @@ Setup free_rock(Precision precision) {
   add_bonds(scene);
   scene.gravity = {0, 0, 0};
   NewRock rock = turned_rock(0, {0, 0, 0});
-  set_rigid_motion(rock, {1, 2, 3}, {20, -30, 10});
+  add_rigid_motion(rock, {1, 2, 3}, {20, -30, 10});
   for (NewParticle& p : rock.particles) p.velocity += 0.05 * random_vector(p.id, 0);
   return {scene, {rock}, 300};
 }
@@ -123,7 +125,7 @@ Setup spheres_on_walls(Precision precision) {
                   MeshShape{{{-0.05, -0.06, 0}, {0.05, -0.06, 0}, {0.05, 0, 0.02}, {-0.05, 0, 0.02}, {0, 0.05, 0}},
                             {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}},
                   LinearMotion{{0, 0, 0.5}}, 1}};
-  std::vector<NewRock> rocks = cloud(5, 5, 4, 0.02, 0.009, 1.0);
+  std::vector<NewRock> rocks = cloud({{5, 5, 4}, 0.02, 0.009, 1.0});
   for (std::size_t k = 0; k < rocks.size(); ++k) {
     NewParticle& p = rocks[k].particles[0];
     p.position.z += 0.07;

@@ -14,12 +14,12 @@ namespace {
 
 const double d = 0.02, R = d / 2, density = 4000;
 
-Quatd some_turn(std::uint64_t k) {
+Quatd some_orientation(std::uint64_t k) {
   const auto u = [k](std::uint32_t draw) { return 2 * uniform(1, Stream::turn, k, draw) - 1; };
   return normalised(Quatd{u(0), u(1), u(2), u(3)});
 }
 
-std::vector<Vec3d> turned_all(std::vector<Vec3d> centres, const Quatd& q) {
+std::vector<Vec3d> rotated_all(std::vector<Vec3d> centres, const Quatd& q) {
   for (Vec3d& c : centres) c = rotate(q, c);
   return centres;
 }
@@ -56,7 +56,7 @@ TEST_CASE("A fragment table keeps every particle and all mass", "[fragments]") {
   CHECK(std::abs(total / (170 * sphere) - 1) < 1e-12);
 }
 
-TEST_CASE("Fragments whose particles are mixed in the snapshot are told apart", "[fragments]") {
+TEST_CASE("Fragments whose particles are mixed in the snapshot are separated", "[fragments]") {
   ParticleSnapshot p;
   add_fragment(p, block(6, 1, 1, R), R, density, {0, 0, 0});
   p.fragment = {0, 1, 0, 1, 4, 0};
@@ -67,24 +67,25 @@ TEST_CASE("Fragments whose particles are mixed in the snapshot are told apart", 
   CHECK(std::vector<Index>(table.members_of(2).begin(), table.members_of(2).end()) == std::vector<Index>{4});
 }
 
-TEST_CASE("A 2 x 3 x 5 block passes a square mesh of 3, however it lies", "[fragments]") {
+TEST_CASE("A 2 x 3 x 5 block passes a square mesh of 3 in any orientation", "[fragments]") {
   for (std::uint64_t k = 0; k < 20; ++k) {
-    CHECK(mesh_size(turned_all(block(2, 3, 5, R), some_turn(k))) == Approx(3 * d).epsilon(2e-3));
+    CHECK(mesh_size(rotated_all(block(2, 3, 5, R), some_orientation(k))) == Approx(3 * d).epsilon(2e-3));
   }
 }
 
-TEST_CASE("A rod passes a mesh of its thickness, a plate turns into the diagonal", "[fragments]") {
+TEST_CASE("A rod passes a mesh of its thickness, a plate passes along the diagonal", "[fragments]") {
   for (std::uint64_t k = 0; k < 20; ++k) {
-    CHECK(mesh_size(turned_all(block(12, 1, 1, R), some_turn(k))) == Approx(d).epsilon(2e-3));
+    CHECK(mesh_size(rotated_all(block(12, 1, 1, R), some_orientation(k))) == Approx(d).epsilon(2e-3));
     // n x n x 1 spheres stood on edge: centres span (n-1) d at angle t to the mesh, so that both
     // widths are least at 45 degrees: (n-1) d / sqrt(2) + d.
-    CHECK(mesh_size(turned_all(block(8, 8, 1, R), some_turn(k))) == Approx((7 / std::sqrt(2.0) + 1) * d).epsilon(2e-3));
+    CHECK(mesh_size(rotated_all(block(8, 8, 1, R), some_orientation(k))) ==
+          Approx((7 / std::sqrt(2.0) + 1) * d).epsilon(2e-3));
   }
 }
 
 TEST_CASE("A cube has no principal axes and still passes a mesh of its edge", "[fragments]") {
   for (std::uint64_t k = 0; k < 20; ++k) {
-    CHECK(mesh_size(turned_all(block(4, 4, 4, R), some_turn(k))) == Approx(4 * d).epsilon(2e-3));
+    CHECK(mesh_size(rotated_all(block(4, 4, 4, R), some_orientation(k))) == Approx(4 * d).epsilon(2e-3));
   }
 }
 
@@ -98,7 +99,7 @@ TEST_CASE("An ellipsoid of many small spheres passes sqrt((b^2 + c^2)/2)", "[fra
   }
   const std::vector<double> radii(centres.size(), 1e-9);
   const double exact = 2 * std::sqrt((b * b + c * c) / 2);
-  CHECK(square_mesh_size(turned_all(centres, some_turn(7)), radii) == Approx(exact).epsilon(3e-3));
+  CHECK(square_mesh_size(rotated_all(centres, some_orientation(7)), radii) == Approx(exact).epsilon(3e-3));
 }
 
 TEST_CASE("A single particle sieves as the rock of its mass", "[fragments]") {

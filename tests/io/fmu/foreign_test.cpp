@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A drivetrain of another program in the loop: no saved state, sums left out, units of its own, failures.
 #include "tests/io/fmu/foreign.hpp"
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
 #include "mbd/drivetrain.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <cmath>
 
 namespace {
 
 using namespace gyro;
+using namespace gyro::fixtures;
 using Catch::Matchers::Contains;
 
 DriveFmu foreign(const std::filesystem::path& file) {
@@ -62,6 +63,16 @@ TEST_CASE("A foreign drivetrain without saved state follows the built-in one wit
   CHECK_THAT(other.unsaveable(), Contains("cannot save its state") && Contains("canGetAndSetFMUstate is false"));
 }
 
+TEST_CASE("A foreign drivetrain that gives the motor's angle but not its speed has no speed at a moment") {
+  FmuLinks links{};
+  links[static_cast<std::size_t>(FmuQuantity::motor_angle)] = FmuLink{};
+  links[static_cast<std::size_t>(FmuQuantity::motor_torque)] = FmuLink{};
+  CHECK(!knowledge_of(links).motor_speed);
+  CHECK(knowledge_of(links).motor_power);  // torque x gain of angle
+  links[static_cast<std::size_t>(FmuQuantity::motor_speed)] = FmuLink{};
+  CHECK(knowledge_of(links).motor_speed);
+}
+
 TEST_CASE("A foreign drivetrain that is stopped by the rock has stalled") {
   const ScratchDirectory place;
   Drivetrain drive(open_drive(foreign(place.path() / "foreign.fmu")), 0);
@@ -107,7 +118,7 @@ TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
   ShaftMotion motion = drive->start();
   std::vector<DriveEvent> events;
   const auto go_on = [&](double torque) {
-    for (const DriveEvent& event : drive->turn(1e-3, {.rock_torque = torque}, motion).events) events.push_back(event);
+    for (const DriveEvent& event : drive->advance(1e-3, {.rock_torque = torque}, motion).events) events.push_back(event);
   };
   for (int k = 0; k < 20; ++k) go_on(1);
   REQUIRE(events.size() == 1);
