@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output/tables/table_writer.hpp"
 #include "app/output/tables/tables.hpp"
+#include "core/base/saved_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
 
+#include <cmath>
 #include <set>
 
 namespace gyro {
@@ -104,7 +106,6 @@ TEST_CASE("Header and rows of a table come from its columns: instants, means ove
 }
 
 TEST_CASE("The means of a row that was interrupted are those of one piece") {
-  const ScratchDirectory scratch;
   TableWriter whole(table(), two_walls(), 2), first(table(), two_walls(), 2), second(table(), two_walls(), 2);
   const Span a{0.1, 0.3, {1, 2, 3}}, b{0.7, 0.9, {0.1, 0.2, 0.3}};
   whole.add(a), whole.add(b);

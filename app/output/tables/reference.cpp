@@ -79,6 +79,12 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
+/// Text of a cell of the page, where < would begin a tag.
+std::string cell(std::string text) {
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<')) text.replace(at, 1, "&lt;");
+  return text;
+}
+
 constexpr const char* head =
     R"(Every dataset of results.h5 has attributes `units`, `sampling` and `description`. A row belongs to its `time`, the end of
 the interval that it stands for; `sampling` says how:
@@ -129,7 +135,7 @@ std::string outputs_page() {
     text += "| name | units | numbers | sampling | present | what it is |\n|---|---|---|---|---|---|\n";
     for (const OutputEntry& e : group.entries)
       text += "| `" + e.name + "` | " + e.units + " | " + numbers_text(e) + " | " + e.sampling + " | " + e.when +
-              " | " + e.description + " |\n";
+              " | " + cell(e.description) + " |\n";
   }
   return text;
 }
