@@ -42,8 +42,8 @@ struct DriveKnowledge {
   bool accounts = true;  ///< motor work, losses and kinetic energy, so that the exchange can be judged
 };
 
-/// The machine that moves the mantle against the rock's torque: the built-in Shaft, or an FMU (mbd/fmi). Called twice per
-/// window, so that virtual calls cost nothing.
+/// The machine that moves the mantle against the rock's torque: the built-in Shaft, or an FMU (mbd/fmi). Called twice
+/// per window, so that virtual calls cost nothing.
 class Drive {
  public:
   Drive() = default;

@@ -14,39 +14,39 @@ namespace gyro {
 
 /// State that the drivetrain carries from window to window.
 struct DrivetrainState {
-  double time = 0;                 ///< [s]
-  double angle = 0;                ///< of the eccentric, counts revolutions [rad]
-  double speed = 0;                ///< of the eccentric [rad/s]
-  int direction = 0;               ///< +1 forward, 0 stuck, -1 backward
-  double wall_angle = 0;           ///< eccentric angle at the end of the last predicted path [rad]
-  double rock_torque = 0;          ///< of the last window; the next prediction holds it [N m]
-  double spin_angle = 0;           ///< of the mantle about its own axis [rad]
-  double spin = 0;                 ///< [rad/s]; 0 where the mantle has no inertia of its own
-  int slip = 0;                    ///< of the mantle in the eccentric: 0 dragged along, +1 ahead, -1 lags
-  double wall_spin_angle = 0;      ///< spin angle at the end of the last predicted path [rad]
-  double spin_torque = 0;          ///< of the last window [N m]
-  double bushing_force = 0;        ///< of the last window [N]
-  double spider_force = 0;         ///< of the last window [N]
-  double motor_speed = 0;          ///< with a coupling spring [rad/s]
-  double twist = 0;                ///< of the coupling spring, at the motor's shaft [rad]
-  double stall_time = -1;          ///< first halt of forward motion against the motor's torque [s]; < 0: none so far
-  double motor_work = 0;           ///< of the motor on its shaft, since time 0 [J]
-  double loss_work = 0;            ///< in bushings, bearings, gear, coupling and brake, since time 0 [J]
-  double rock_work = 0;            ///< of the mantle on the rock, as the DEM counted it, since time 0 [J]
-  int window_divisor = 1;          ///< power of 2 by which windows should be shorter than asked
-  double residual_mean = 0;        ///< |power residual|, running mean since the divisor changed [W]
-  double exchanged_mean = 0;       ///< largest power of the exchange, likewise [W]
-  int windows_judged = 0;          ///< since the divisor changed
-  double start_energy = 0;         ///< kinetic, and of the coupling spring, at time 0 [J]
+  double time = 0;             ///< [s]
+  double angle = 0;            ///< of the eccentric, counts revolutions [rad]
+  double speed = 0;            ///< of the eccentric [rad/s]
+  int direction = 0;           ///< +1 forward, 0 stuck, -1 backward
+  double wall_angle = 0;       ///< eccentric angle at the end of the last predicted path [rad]
+  double rock_torque = 0;      ///< of the last window; the next prediction holds it [N m]
+  double spin_angle = 0;       ///< of the mantle about its own axis [rad]
+  double spin = 0;             ///< [rad/s]; 0 where the mantle has no inertia of its own
+  int slip = 0;                ///< of the mantle in the eccentric: 0 dragged along, +1 ahead, -1 lags
+  double wall_spin_angle = 0;  ///< spin angle at the end of the last predicted path [rad]
+  double spin_torque = 0;      ///< of the last window [N m]
+  double bushing_force = 0;    ///< of the last window [N]
+  double spider_force = 0;     ///< of the last window [N]
+  double motor_speed = 0;      ///< with a coupling spring [rad/s]
+  double twist = 0;            ///< of the coupling spring, at the motor's shaft [rad]
+  double stall_time = -1;      ///< first halt of forward motion against the motor's torque [s]; < 0: none so far
+  double motor_work = 0;       ///< of the motor on its shaft, since time 0 [J]
+  double loss_work = 0;        ///< in bushings, bearings, gear, coupling and brake, since time 0 [J]
+  double rock_work = 0;        ///< of the mantle on the rock, as the DEM counted it, since time 0 [J]
+  int window_divisor = 1;      ///< power of 2 by which windows should be shorter than asked
+  double residual_mean = 0;    ///< |power residual|, running mean since the divisor changed [W]
+  double exchanged_mean = 0;   ///< largest power of the exchange, likewise [W]
+  int windows_judged = 0;      ///< since the divisor changed
+  double start_energy = 0;     ///< kinetic, and of the coupling spring, at time 0 [J]
   SwitchState motor{};
-  std::int64_t events = 0;         ///< so far
-  std::vector<double> event_time;  ///< of the first max_events [s]
+  std::int64_t events = 0;               ///< so far
+  std::vector<double> event_time;        ///< of the first max_events [s]
   std::vector<std::int32_t> event_kind;  ///< DriveEventKind of each
   static constexpr std::size_t max_events = 32;
 
   /// Calls f(name, field) for every field, to be read or filled.
   template <class F, class S>
-  static void for_each_field(F&& f, S& s) {
+  static constexpr void for_each_field(F&& f, S& s) {
     f("time", s.time);
     f("angle", s.angle);
     f("speed", s.speed);
@@ -71,23 +71,20 @@ struct DrivetrainState {
     f("exchanged_mean", s.exchanged_mean);
     f("windows_judged", s.windows_judged);
     f("start_energy", s.start_energy);
-    SwitchState::for_each_field(f, s.motor);
+    f("motor", s.motor);
     f("events", s.events);
     f("event_time", s.event_time);
     f("event_kind", s.event_kind);
   }
 };
 
-/// Means over the last window, for the series.
+/// Means over the last window, for the series. Speeds are in DrivetrainState.
 struct DrivetrainMeans {
-  double motor_speed = 0;      ///< [rad/s]
-  double eccentric_speed = 0;  ///< [rad/s]
-  double mantle_spin = 0;      ///< [rad/s]
-  double motor_torque = 0;     ///< at the motor's shaft [N m]
-  double mantle_torque = 0;    ///< of the rock at the eccentric, positive when it resists [N m]
-  double motor_power = 0;      ///< mechanical, at the motor's shaft [W]
-  double loss_power = 0;       ///< [W]
-  double crushing_power = 0;   ///< from the mantle to the rock [W]
+  double motor_torque = 0;    ///< at the motor's shaft [N m]
+  double mantle_torque = 0;   ///< of the rock at the eccentric, positive when it resists [N m]
+  double motor_power = 0;     ///< mechanical, at the motor's shaft [W]
+  double loss_power = 0;      ///< [W]
+  double crushing_power = 0;  ///< from the mantle to the rock [W]
   /// Motor power - losses - crushing power - gain of kinetic energy [W]: the error of the exchange of held values. It
   /// falls with the square of the window. A value that is large against the crushing power means that the window is too
   /// long for the rock's stiffness and the inertia. NaN for a drive that does not give its accounts.
@@ -146,8 +143,8 @@ class Drivetrain {
   /// Motor work - losses - rock work - gain of kinetic energy, since time 0 [J].
   double energy_residual() const;
   /// How many times shorter than asked the next window should be: a power of 2. It doubles while the running mean of
-  /// |power residual| / exchanged power is above residual_limit, and is halved once that mean has been below a sixteenth
-  /// of the limit for as long (the residual goes with the square of the window).
+  /// |power residual| / exchanged power is above residual_limit, and is halved once that mean has been below a
+  /// sixteenth of the limit for as long (the residual goes with the square of the window).
   int window_divisor() const { return state_.window_divisor; }
   bool stuck() const { return state_.direction == 0; }     ///< stands still now
   bool stalled() const { return state_.stall_time >= 0; }  ///< forward motion has come to a halt at least once

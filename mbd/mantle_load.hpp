@@ -27,13 +27,13 @@ struct MantleWrench {
   void add(const WallLoad& wall, double pivot_height);
 };
 
-/// The load on the drive, by virtual work. The mantle's angular velocity is Omega = theta' (z - (z . u) u) + sigma u, with
-/// the pivot at rest, so that the power of the rock on the mantle is
+/// The load on the drive, by virtual work. The mantle's angular velocity is Omega = theta' (z - (z . u) u) + sigma u,
+/// with the pivot at rest, so that the power of the rock on the mantle is
 ///
 ///   M_O . Omega = -T_c theta' + T_s sigma,   T_c = -M_O . (z - (z . u) u),   T_s = M_O . u
 ///
-/// theta' and sigma: eccentric speed and spin [rad/s]; z: the machine's axis, pointing up. The axis u turns in the window;
-/// taking it at mid-window is of second order in the window's length.
+/// theta' and sigma: eccentric speed and spin [rad/s]; z: the machine's axis, pointing up. The axis u turns in the
+/// window; taking it at mid-window is of second order in the window's length.
 /// @param axis           u, the mantle's axis, unit, pointing up, world frame
 /// @param bushing_depth  of the eccentric's bushings below the pivot [m]; 0: the forces on the bearings are left at 0
 MantleLoad mantle_load(const MantleWrench& rock, const Vec3d& axis, double bushing_depth);

@@ -61,7 +61,7 @@ struct SwitchState {
 
   /// Calls f(name, field) for every field, to be read or filled.
   template <class F, class S>
-  static void for_each_field(F&& f, S& s) {
+  static constexpr void for_each_field(F&& f, S& s) {
     f("sense", s.sense);
     f("last_sense", s.last_sense);
     f("heat", s.heat);

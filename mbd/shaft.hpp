@@ -10,10 +10,10 @@ namespace gyro {
 
 /// Integrates ShaftModel over an interval under a constant load.
 ///
-/// Dry friction and gear losses jump at w = 0 and at sigma = w cos b, and relays switch the motor. An automaton keeps the
-/// equations smooth while they are integrated: during a leg, all signs and the switch are fixed. A leg ends at a root of
-/// w or of sigma - w cos b, where a stuck eccentric or a dragged mantle breaks loose, where a relay trips, or at a
-/// deadline of the clock. Between legs
+/// Dry friction and gear losses jump at w = 0 and at sigma = w cos b, and relays switch the motor. An automaton keeps
+/// the equations smooth while they are integrated: during a leg, all signs and the switch are fixed. A leg ends at a
+/// root of w or of sigma - w cos b, where a stuck eccentric or a dragged mantle breaks loose, where a relay trips, or
+/// at a deadline of the clock. Between legs
 ///   the eccentric starts forward    if the net torque with forward friction is > 0,
 ///                 starts backward   if the net torque with backward friction is < 0,
 ///                 stays stuck       otherwise: friction balances the rest and w is exactly 0;

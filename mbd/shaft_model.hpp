@@ -44,11 +44,11 @@ struct ShaftBalance {
 ///   J_a sigma'  = T_s - s T_inner - T_spider sigma / |Omega|
 ///   s = sign(sigma - w cos b),  |Omega|^2 = w^2 sin^2 b + sigma^2,  Omega = w (z - cos b u) + sigma u
 ///
-/// The inner bushing slides at sigma - w cos b: it drags the mantle towards the eccentric, and appears with cos b in the
-/// eccentric's equation. The spider is a ball joint with a friction torque against Omega. While the mantle is dragged
-/// along (s = 0) both equations are one, with the inertia J + J_a cos^2 b, and bushing_torque is what the bushing must
-/// pass, at most T_inner. T_dry = T_0 + load_factor |T_c| + outer bushing + brake. Where no mantle inertia is given, sigma
-/// is 0 and the bushing slides at w cos b.
+/// The inner bushing slides at sigma - w cos b: it drags the mantle towards the eccentric, and appears with cos b in
+/// the eccentric's equation. The spider is a ball joint with a friction torque against Omega. While the mantle is
+/// dragged along (s = 0) both equations are one, with the inertia J + J_a cos^2 b, and bushing_torque is what the
+/// bushing must pass, at most T_inner. T_dry = T_0 + load_factor |T_c| + outer bushing + brake. Where no mantle inertia
+/// is given, sigma is 0 and the bushing slides at w cos b.
 class ShaftModel {
  public:
   /// @throws BadInput as check_drivetrain

@@ -85,7 +85,7 @@ LIBRARIES = (
     ("spdlog or fmt", r"(spdlog|fmt)/", ("io/run",)),
     ("nlohmann-json", r"nlohmann/", ("io/schema", "io/run", "app")),
     ("libzip or pugixml", r"(zip\.h|pugixml\.hpp)$", ("io/fmu",)),
-    ("CLI11", r"CLI/", ("app/main.cpp",)),
+    ("CLI11", r"CLI/", ("app/command_line",)),
 )
 
 

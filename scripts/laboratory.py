@@ -28,7 +28,7 @@ At the end the cases run once more with the result, without scaling, for the fir
 stiff as steel: plates of real steel would sink into such rock, and because displacements are measured at the plates, the
 rock would seem a third softer.
 
-Needs Python 3 and build/release/gyrosim; --gyrosim names another program.
+Needs Python 3 and gyrosim, which is looked for in build/release and, when installed, in bin; --gyrosim names another.
 """
 import argparse
 import json
@@ -42,6 +42,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 CASES = ROOT / "cases" / "laboratory"
+# In a checkout; installed, where ROOT is share/gyrosim.
+PROGRAMS = (ROOT / "build" / "release" / "gyrosim", ROOT.parent.parent / "bin" / "gyrosim")
 FIGURES = [("first_break_force", "first break", "N", 1), ("failure_force", "failure", "N", 1),
            ("failure_displacement", "at", "mm", 1e3), ("strength", "strength", "MPa", 1e-6),
            ("stiffness", "stiffness", "MN/m", 1e-6), ("modulus", "modulus", "GPa", 1e-9)]
@@ -53,7 +55,7 @@ DURATION = "time.duration"
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description="Laboratory tests of bonded rock.")
-    parser.add_argument("--gyrosim", type=Path, default=ROOT / "build" / "release" / "gyrosim")
+    parser.add_argument("--gyrosim", type=Path, default=next(filter(Path.exists, PROGRAMS), PROGRAMS[0]))
     commands = parser.add_subparsers(dest="command", required=True)
     measure = commands.add_parser("measure", help="figures of laboratory cases over seeds")
     measure.add_argument("cases", type=Path, nargs="+", metavar="CASE")

@@ -64,7 +64,8 @@ ARROWS = {
     "app/verify": f"{CORE} gpu mbd {IO} app/simulation app/verify",
     "app/bench": f"{CORE} gpu mbd {IO} app/simulation app/bench",
     "app/examples": f"{CORE} gpu mbd app/examples",
-    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands",
+    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
+    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
 }
 
 
@@ -151,7 +152,7 @@ class IncludeLint(LintTest):
             ("io/run/a.cpp", '"core/scene/dem.hpp"'),
             ("io/fmu/a.cpp", "<zip.h>"),
             ("gpu/a.cu", "<cub/cub.cuh>"),
-            ("app/main.cpp", "<CLI/CLI.hpp>"),
+            ("app/command_line/a.cpp", "<CLI/CLI.hpp>"),
             ("app/main.cpp", '"app/commands/commands.hpp"'),
             ("app/verify/a.cpp", '"app/version.hpp"'),
             ("app/verify/a.cpp", '"mbd/shaft.hpp"'),

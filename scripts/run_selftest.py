@@ -31,7 +31,7 @@ class ScriptTest(unittest.TestCase):
         self.bin = Path(folder.name, "bin")
         self.bin.mkdir()
         (self.root / "scripts").mkdir(parents=True)
-        for script in ("run.sh", "test.sh", "setup.sh", "build.sh"):
+        for script in ("run.sh", "test.sh", "setup.sh", "build.sh", "cuda_device.sh"):
             shutil.copy(SCRIPTS / script, self.root / "scripts")
 
     def record(self, path):
@@ -101,7 +101,7 @@ class Test(ScriptTest):
             with self.subTest(given=given):
                 done, calls = self.call("test.sh", *given)
                 self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertEqual(calls[:2], [["setup.sh"], ["build.sh"]])
+                self.assertEqual(calls[:2], [["setup.sh"], ["build.sh", "--cuda"]])
                 ctest = calls[2]
                 self.assertEqual(ctest[len(ctest) - len(given):], given)
                 self.assertEqual("-LE" in ctest[:len(ctest) - len(given)], excluded)
@@ -110,6 +110,56 @@ class Test(ScriptTest):
     def test_failures_pass_through(self):
         self.assertEqual(self.call("test.sh", EXIT_ctest="8")[0].returncode, 8)
         self.assertEqual(self.call("test.sh", EXIT_build="1")[0].returncode, 1)
+
+
+class Build(ScriptTest):
+    """With a cmake that only writes down, and an nvcc that may be there."""
+
+    def setUp(self):
+        super().setUp()
+        self.record(self.bin / "cmake")
+        self.device("exit 1")
+
+    def device(self, body):
+        (self.root / "scripts/cuda_device.sh").write_text(f"#!/bin/bash\n{body}\n")
+
+    def configured(self, cuda):
+        folder = self.root / "build/release"
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "build.ninja").touch()
+        (folder / "CMakeCache.txt").write_text(f"GYRO_CUDA:STRING={cuda}\n")
+
+    def configuration(self, *arguments):
+        """What cmake was called with before it built; nothing where it only built."""
+        done, calls = self.call("build.sh", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("--build", calls[-1])
+        self.calls_file.unlink()
+        return [call[1:] for call in calls[:-1]]
+
+    def test_configures_once(self):
+        self.assertEqual(self.configuration("gyrosim"), [["--preset", "release"]])
+        self.configured("AUTO")
+        self.assertEqual(self.configuration("gyrosim"), [])
+
+    def test_cuda_without_device_only_when_asked_for(self):
+        self.record(self.bin / "nvcc")
+        self.assertEqual(self.configuration(), [["--preset", "release"]])
+        self.assertEqual(self.configuration("--cuda"), [["--preset", "release", "-DGYRO_CUDA=ON"]])
+        self.configured("AUTO")
+        self.assertEqual(self.configuration(), [])
+        self.assertIn("-DGYRO_CUDA=ON", self.configuration("--cuda")[0])
+        for chosen in ("OFF", "ON"):
+            self.configured(chosen)
+            self.assertEqual(self.configuration("--cuda"), [])
+
+    def test_looks_again_when_a_device_appears(self):
+        self.record(self.bin / "nvcc")
+        self.configuration()
+        self.configured("AUTO")
+        self.device("echo /dev/nvidia0")
+        self.assertEqual(len(self.configuration()), 1)
+        self.assertEqual(self.configuration(), [])
 
 
 class Setup(ScriptTest):

@@ -15,9 +15,10 @@ namespace {
 void check_crusher(const Case& input, Assembly& out) {
   const bool driven = input.drivetrain || input.drivetrain_fmu;
   if (driven && gyrating_wall(out.setup.scene) == none)
-    throw BadKey("drivetrain",
-                 "the drive moves nothing, because no wall gyrates; give walls.mantle the motion gyration, or the crusher "
-                 "a profile");
+    throw BadKey(
+        "drivetrain",
+        "the drive moves nothing, because no wall gyrates; give walls.mantle the motion gyration, or the crusher "
+        "a profile");
   if (input.crusher && !driven) out.notes.push_back("the case has no drivetrain: the mantle stands still");
 }
 
@@ -66,8 +67,7 @@ void set_rock(Assembly& out, const Case& input) {
   setup.start = blaming("particles", [&] { return start_state(input); });
   setup.bond_strength = bond_strength(input);
   if (input.crusher)
-    setup.discharge =
-        Discharge{input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start))};
+    setup.discharge = Discharge{input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start))};
 }
 
 void set_step(Assembly& out, const Case& input) {
@@ -81,7 +81,9 @@ std::optional<Drivetrain> make_drivetrain(const Case& input) {
   if (input.drivetrain) return blaming("drivetrain", [&] { return Drivetrain(*input.drivetrain); });
   if (!input.drivetrain_fmu) return std::nullopt;
   const CaseFmu& fmu = *input.drivetrain_fmu;
-  return blaming("drivetrain.fmu", [&] { return Drivetrain(open_drive(fmu), {fmu.residual_limit, fmu.bushing_depth}); });
+  return blaming("drivetrain.fmu", [&] {
+    return Drivetrain(open_drive(fmu), {fmu.residual_limit, fmu.bushing_depth});
+  });
 }
 
 /// The key of a case file that a part of a setup comes from.
@@ -102,8 +104,7 @@ std::string key_of(SetupPart part) {
 }  // namespace
 
 Assembly assemble(const Case& input) {
-  if (input.output.hdf5)
-    throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; vtp is accepted");
+  if (input.output.hdf5) throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; use vtp");
   if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
   Assembly out;
   set_walls(out, input);

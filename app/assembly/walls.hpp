@@ -21,9 +21,9 @@ struct WallPicture {
 /// The walls of a case, with the mantle at its setting.
 struct CaseWalls {
   std::vector<Wall> walls;
-  std::optional<Liners> liners;        ///< of a crusher given by its profile
-  std::vector<WallPicture> pictures;   ///< one per wall
-  std::vector<std::string> notes;      ///< repairs of mesh files, and where the mantle was set, for the log
+  std::optional<Liners> liners;       ///< of a crusher given by its profile
+  std::vector<WallPicture> pictures;  ///< one per wall
+  std::vector<std::string> notes;     ///< repairs of mesh files, and where the mantle was set, for the log
 };
 
 /// Reads mesh files, makes liners from a profile and lifts a mantle of meshes to the closed side setting.

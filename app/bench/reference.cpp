@@ -20,7 +20,7 @@ json read_all(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in) return json::object();
   const json all = json::parse(in, nullptr, false);
-  if (all.is_discarded()) throw BadInput(file.string() + " is no JSON; what --make-reference writes is accepted");
+  if (all.is_discarded()) throw BadInput(file.string() + " is not JSON; make it with --make-reference");
   return all;
 }
 
@@ -120,7 +120,7 @@ Reference read_reference(const std::filesystem::path& file, const AccuracyScene&
     r.command = j.at("command");
     if (r.fingerprint != fingerprint(scene, folder))
       throw BadInput(file.string() + ": the reference of " + scene.name +
-                     " was made with another case or start state; " + how_to_make + " anew");
+                     " was made with another case or start state; " + how_to_make + " again");
     for (const Metric& metric : scene.metrics)
       if (r.fine.at(metric.name).size() != seeds || r.coarse.at(metric.name).size() != seeds)
         throw std::out_of_range(metric.name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/commands.hpp"
 #include "app/assembly/walls.hpp"
+#include "app/commands/commands.hpp"
 #include "core/base/errors.hpp"
 #include "core/geometry/stl_file.hpp"
 
@@ -116,9 +116,10 @@ void report_meshes(const Case& input, const CaseArguments& arguments, const std:
   const CaseWalls walls = located(arguments, [&] { return make_walls(input); });
   const std::optional<MeshLiners> liners = mesh_liners(walls.walls);
   if (!liners)
-    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "crusher",
-                                        "there is nothing to measure; give crusher.profile, or two meshes, of which one "
-                                        "gyrates and the other is fixed and called concave")));
+    throw BadInput(
+        to_string(problem_at(arguments.file, arguments.set, "crusher",
+                             "there is nothing to measure; give crusher.profile, or two meshes, of which one "
+                             "gyrates and the other is fixed and called concave")));
   const MeshReport report = located(arguments, [&] {
     return blaming("crusher", [&] { return measure(*liners, eccentric_speed(input), norm(input.gravity)); });
   });
@@ -135,8 +136,9 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   const std::optional<Case> input = load_or_complain(arguments);
   if (!input) return exit_bad_input;
   if (!input->crusher)
-    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "crusher",
-                                        "the case has no crusher; add one: its liners are made from a profile or measured on meshes")));
+    throw BadInput(to_string(
+        problem_at(arguments.file, arguments.set, "crusher",
+                   "the case has no crusher; add one: its liners are made from a profile or measured on meshes")));
   const CaseCrusher& crusher = *input->crusher;
   if (crusher.liners.empty()) {
     report_meshes(*input, arguments, out);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
+#include "app/commands/program_files.hpp"
+#include "app/output/tables/reference.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 
@@ -18,25 +20,33 @@ std::optional<Case> load_or_complain(const CaseArguments& arguments) {
   return report.loaded;
 }
 
-int describe_command(const std::string& key, bool schema) {
-  std::cout << (schema ? json_schema() : describe(key));
+int describe_command(const DescribeArguments& a) {
+  const bool outputs = a.key == "outputs";
+  if (!outputs && (a.json || a.markdown))
+    throw BadInput(
+        "--json and --markdown belong to `gyrosim describe outputs`; use --json-schema for the keys of a case");
+  if (outputs)
+    std::cout << (a.json ? outputs_json() : a.markdown ? outputs_page() : outputs_text());
+  else
+    std::cout << (a.json_schema ? json_schema() : describe(a.key));
+  if (a.key.empty() && !a.json_schema) std::cout << "\n`gyrosim describe outputs` documents what a run writes.\n";
   return exit_done;
 }
 
 int init_command(const std::string& name) {
-  static const std::pair<const char*, const char*> templates[] = {
-      {"quickstart", GYRO_CASES "/quickstart.yaml"},
-      {"primary", GYRO_CASES "/mkii-62-75/case.yaml"},
-      {"compression", GYRO_CASES "/laboratory/platen.yaml"}};
+  static const std::pair<const char*, const char*> templates[] = {{"quickstart", "quickstart.yaml"},
+                                                                  {"primary", "mkii-62-75/case.yaml"},
+                                                                  {"compression", "laboratory/platen.yaml"}};
   for (const auto& [known, file] : templates) {
     if (name != known) continue;
-    std::ifstream in(file);
+    const std::filesystem::path path = case_folder() / file;
+    std::ifstream in(path);
     if (!in)
-      throw BadInput(std::string(file) + ": cannot be read; the templates lie in the source folder of this build");
+      throw OutputError(path.string() + ": cannot be read; the templates belong to the checkout or installation");
     std::cout << in.rdbuf();
     return exit_done;
   }
-  throw BadInput("--template " + name + ": unknown; quickstart, primary or compression");
+  throw BadInput("--template " + name + " is unknown; use quickstart, primary or compression");
 }
 
 int info_command(bool json) {
@@ -58,7 +68,7 @@ int info_command(bool json) {
       j["cpu"] = line.substr(line.find(':') + 2);
       break;
     }
-  j["libraries"] = nlohmann::json::parse(GYRO_LIBRARIES);
+  j["libraries"] = {{"sundials", version::sundials}, {"hdf5", version::hdf5}, {"vtk", version::vtk}};
   if (json) {
     std::cout << j.dump(2) << "\n";
     return exit_done;

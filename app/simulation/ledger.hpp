@@ -47,25 +47,16 @@ class Ledger {
   /// What a checkpoint keeps.
   struct State {
     EnergyTerms energy;
-    double overlap_ratio = 0;                                             ///< at the end of the last window [-]
-    double worst_overlap = 0;                                             ///< of all windows [-]
+    double overlap_ratio = 0;                           ///< at the end of the last window [-]
+    double worst_overlap = 0;                           ///< of all windows [-]
     double potential_before = 0, gravity_turnover = 0;  ///< [J]
-    double largest_state = 0;                                             ///< kinetic + elastic energy [J]
-    double time = 0, work_before = 0;  ///< end of the last window [s], work until then [J]
+    double largest_state = 0;                           ///< kinetic + elastic energy [J]
+    double time = 0, work_before = 0;                   ///< end of the last window [s], work until then [J]
 
     /// Calls f(name, field) for every field, to be read or filled.
     template <class F, class S>
-    static void for_each_field(F&& f, S& s) {
-      f("kinetic", s.energy.kinetic);
-      f("potential", s.energy.potential);
-      f("contact_elastic", s.energy.contact_elastic);
-      f("bond_elastic", s.energy.bond_elastic);
-      f("contact_damping", s.energy.contact_damping);
-      f("friction", s.energy.friction);
-      f("bond_damping", s.energy.bond_damping);
-      f("bond_breakage", s.energy.bond_breakage);
-      f("wall_work", s.energy.wall_work);
-      f("exchanged", s.energy.exchanged);
+    static constexpr void for_each_field(F&& f, S& s) {
+      f("energy", s.energy);
       f("overlap_ratio", s.overlap_ratio);
       f("worst_overlap", s.worst_overlap);
       f("potential_before", s.potential_before);

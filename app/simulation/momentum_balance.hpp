@@ -23,13 +23,9 @@ class MomentumBalance {
 
     /// Calls f(name, field) for every field, to be read or filled.
     template <class F, class S>
-    static void for_each_field(F&& f, S& s) {
-      f("before_x", s.before.x);
-      f("before_y", s.before.y);
-      f("before_z", s.before.z);
-      f("residual_x", s.residual.x);
-      f("residual_y", s.residual.y);
-      f("residual_z", s.residual.z);
+    static constexpr void for_each_field(F&& f, S& s) {
+      f("before", s.before);
+      f("residual", s.residual);
       f("turnover", s.turnover);
     }
   };

@@ -48,7 +48,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;  // the feed refers to the setup
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Advances by one window, and inspects when setup.inspection_interval asks for it. Ask for the verdict before the next.
+  /// Advances by one window, and inspects when setup.inspection_interval asks for it. Ask for the verdict before the
+  /// next.
   /// @param max_steps  makes the window shorter than setup.steps_per_window; at least one hold is done
   WindowResult advance(int max_steps = std::numeric_limits<int>::max());
   /// Why the last window must be the last; empty while all is well.
@@ -98,7 +99,7 @@ class Simulation {
     double start_mass = 0, mass_inside = 0, largest_fragment = 0;  ///< [kg]
 
     template <class F, class S>
-    static void for_each_field(F&& f, S& s) {
+    static constexpr void for_each_field(F&& f, S& s) {
       f("time_step", s.time_step);
       f("inspection_interval", s.inspection_interval);
       f("step", s.step);

@@ -60,8 +60,7 @@ std::optional<std::string> ThinWallCheck::find_through(const MeshWall& wall, con
       std::ostringstream words;
       words.precision(3);
       words << "particles " << s.id[k] << " and " << s.id[other] << " touch each other through wall " << wall.name
-            << ", by " << overlap * 1e3
-            << " mm; use a wall that is thicker than the overlaps on both of its sides";
+            << ", by " << overlap * 1e3 << " mm; use a wall that is thicker than the overlaps on both of its sides";
       return words.str();
     }
   return {};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation/time_step.hpp"
 
-#include "core/dem/contact_laws.hpp"
+#include "core/laws/contact/constants.hpp"
+#include "core/laws/contact/models.hpp"
 #include "core/scene/wall_motion.hpp"
 
 #include <algorithm>
@@ -13,13 +14,13 @@ namespace gyro {
 
 BedContacts bed_contacts(const Scene& scene) {
   constexpr double number = 6, overlap = 0.05;
-  const ContactLaw<double> law = contact_law<double>(scene, scene.rock_material, scene.rock_material);
-  const double root = std::sqrt(0.5 * overlap);  // sqrt(R* delta)/R for equal spheres
+  const ContactConstants<double> law = contact_constants<double>(scene, scene.rock_material, scene.rock_material);
+  const ContactStiffness stiffness = contact_stiffness(rock_model(scene), law, 0.5, overlap);  // R* of R = 1
   BedContacts bed;
   bed.number = number;
-  bed.normal_stiffness = 2 * law.youngs * root;
-  bed.tangential_stiffness = 8 * law.shear * root;
-  bed.normal_damping = bed.tangential_damping = std::sqrt(5.0 / 6) * law.damping;
+  bed.normal_stiffness = stiffness.normal;
+  bed.tangential_stiffness = stiffness.tangential + stiffness.rolling;
+  bed.normal_damping = bed.tangential_damping = stiffness.damping;
   return bed;
 }
 

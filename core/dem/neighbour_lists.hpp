@@ -14,7 +14,11 @@ class NeighbourLists {
   using Store = ParticleStore<Exec, Real>;
 
   /// @param skin  distance up to which neighbours are listed [m]; 0: 0.8 times the smallest radius
-  explicit NeighbourLists(double skin) : given_skin_(skin) { extend(0); }
+  /// @param pair_extra, wall_extra  whether the contact laws keep ExtraHistory
+  NeighbourLists(double skin, bool pair_extra, bool wall_extra)
+      : given_skin_(skin), pairs_(pair_extra), walls_(wall_extra) {
+    extend(0);
+  }
 
   PairList<Exec, Real>& pairs() { return pairs_; }
   const PairList<Exec, Real>& pairs() const { return pairs_; }

@@ -17,6 +17,9 @@ class PairList {
  public:
   using Store = ParticleStore<Exec, Real>;
 
+  /// @param with_extra  the contact law keeps ExtraHistory
+  explicit PairList(bool with_extra) : with_extra_(with_extra) {}
+
   Index count() const { return static_cast<Index>(now_.pair.size()); }
   PairView<Real> view() { return view_of<PairView<Real>>(now_); }
   ConstPairView<Real> read() const { return view_of<ConstPairView<Real>>(now_); }
@@ -29,12 +32,14 @@ class PairList {
     std::swap(now_, old_);
     now_.pair.resize(total);
     now_.history.resize(total);
+    if (with_extra_) now_.extra.resize(total);
     now_.result.resize(total);
     now_.touching.resize(total);
     find.rows.entries = now_.pair.data();
     if (total > 0) exec.for_each("find pairs", rock.count(), find);
     list_ends(exec, rock);
-    exec.for_each("carry history", count(), CarryHistory<Real>{view(), view_of<ConstPairView<Real>>(old_)});
+    exec.for_each("carry history", count(),
+                  CarryHistory<Real>{view(), view_of<ConstPairView<Real>>(old_), with_extra_});
   }
 
   /// Empty rows for particles that have just come.
@@ -56,6 +61,7 @@ class PairList {
     }
     keep_ends(remaining, new_pair);
     Exec::keep(now_.history, source);
+    if (with_extra_) Exec::keep(now_.extra, source);
     Exec::keep(now_.result, source);
     Exec::keep(now_.touching, source);
     Exec::upload(now_.pair, std::move(kept));
@@ -66,6 +72,7 @@ class PairList {
     const auto& touching = Exec::host(now_.touching);
     to.put("contacts/pair", where(touching, Exec::host(now_.pair)));
     to.put("contacts/history", where(touching, Exec::host(now_.history)));
+    if (with_extra_) to.put("contacts/extra", where(touching, Exec::host(now_.extra)));
   }
   /// @throws BadInput as SavedState::get
   void restore(Exec& exec, const SavedState& from, const Store& rock) {
@@ -73,6 +80,7 @@ class PairList {
     const std::size_t count = pairs.size();
     now_.result.resize(count);
     Exec::upload(now_.history, from.get<ContactHistory<Real>>("contacts/history", count));
+    if (with_extra_) Exec::upload(now_.extra, from.get<ExtraHistory<Real>>("contacts/extra", count));
     Exec::upload(now_.touching, std::vector<std::int8_t>(count, 1));
     Exec::upload(now_.pair, std::move(pairs));
     list_ends(exec, rock);
@@ -131,6 +139,7 @@ class PairList {
     Exec::upload(now_.row_begin, std::move(rows));
   }
 
+  bool with_extra_;
   Pairs<Buffer, Real> now_, old_;  ///< two, so that history is carried from the old to the new
   Buffer<Index> first_pair_, entered_;
 };

@@ -25,7 +25,8 @@ struct SceneSums {
   ContactSums contacts() const {
     return exec.template reduce<ContactSums>(
         "sum contacts", rock.count(),
-        SumContacts<Real>{rock.read(), lists.pairs().read(), lists.walls().read(), walls, laws.rock(), laws.walls()});
+        SumContacts<Real>{rock.read(), lists.pairs().read(), lists.walls().read(), walls, laws.rock(), laws.walls(),
+                          laws.rock_model(), laws.wall_model()});
   }
   BondSums bonds() const {
     if (!rock.has_bonds()) return {};

@@ -98,23 +98,27 @@ template <bool held>
 void DemSolver<Exec, Real>::launch_contacts(double half_hold_offset, double carry_over) {
   GYRO_EXPECT(lists_.valid());
   const OverlapCheck deep{scene_.limits.overlap_ratio, &monitor_.flags()->limit_exceeded};
-  exec_.for_each("pair forces", lists_.pairs().count(),
-                 PairForces<Real, held>{.p = rock_.read(),
-                                        .pairs = lists_.pairs().view(),
-                                        .bond_state = rock_.bond_state(),
-                                        .law = laws_.rock(),
-                                        .half_hold_offset = half_hold_offset,
-                                        .deep = deep});
-  exec_.for_each("wall forces", lists_.walls().count(),
-                 WallForces<Real, held>{.p = rock_.read(),
-                                        .walls = walls_.now(),
-                                        .near = lists_.walls().view(),
-                                        .booking = accounts_.booking(),
-                                        .laws = laws_.walls(),
-                                        .dt = scene_.hold_time(),
-                                        .half_hold_offset = half_hold_offset,
-                                        .carry_over = carry_over,
-                                        .deep = deep});
+  with_contact_law(laws_.rock_model(), [&]<class Law>(Law) {
+    exec_.for_each("pair forces", lists_.pairs().count(),
+                   PairForces<Real, Law, held>{.p = rock_.read(),
+                                               .pairs = lists_.pairs().view(),
+                                               .bond_state = rock_.bond_state(),
+                                               .constants = laws_.rock(),
+                                               .half_hold_offset = half_hold_offset,
+                                               .deep = deep});
+  });
+  with_contact_law(laws_.wall_model(), [&]<class Law>(Law) {
+    exec_.for_each("wall forces", lists_.walls().count(),
+                   WallForces<Real, Law, held>{.p = rock_.read(),
+                                               .walls = walls_.now(),
+                                               .near = lists_.walls().view(),
+                                               .booking = accounts_.booking(),
+                                               .constants = laws_.walls(),
+                                               .dt = scene_.hold_time(),
+                                               .half_hold_offset = half_hold_offset,
+                                               .carry_over = carry_over,
+                                               .deep = deep});
+  });
 }
 
 template <class Exec, class Real>

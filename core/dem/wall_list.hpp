@@ -18,6 +18,9 @@ class WallList {
   using Buffer = typename Exec::template Buffer<T>;
   using Store = ParticleStore<Exec, Real>;
 
+  /// @param with_extra  the contact law keeps ExtraHistory
+  explicit WallList(bool with_extra) : with_extra_(with_extra) {}
+
   Index count() const { return static_cast<Index>(now_.entry.size()); }
   WallPairView<Real> view() { return view_of<WallPairView<Real>>(now_); }
   ConstWallPairView<Real> read() const { return view_of<ConstWallPairView<Real>>(now_); }
@@ -33,12 +36,13 @@ class WallList {
     const auto total = static_cast<std::size_t>(exec.exclusive_scan(particles, now_.row_begin.data()));
     now_.entry.resize(total);
     now_.history.resize(total);
+    if (with_extra_) now_.extra.resize(total);
     now_.result.resize(total);
     now_.touching.resize(total);
     find.rows.entries = now_.entry.data();
     if (total > 0) exec.for_each("find walls", particles, find);
     exec.for_each("carry wall history", count(),
-                  CarryWallHistory<Real>{view(), view_of<ConstWallPairView<Real>>(old_)});
+                  CarryWallHistory<Real>{view(), view_of<ConstWallPairView<Real>>(old_), with_extra_});
   }
 
   /// Empty rows for particles that have just come.
@@ -61,6 +65,7 @@ class WallList {
       rows.push_back(static_cast<Index>(kept.size()));
     }
     Exec::keep(now_.history, source);
+    if (with_extra_) Exec::keep(now_.extra, source);
     Exec::keep(now_.result, source);
     Exec::keep(now_.touching, source);
     Exec::upload(now_.entry, std::move(kept));
@@ -80,6 +85,7 @@ class WallList {
     to.put("wall_contacts/entry", where(touching, Exec::host(now_.entry)));
     to.put("wall_contacts/count", counts);
     to.put("wall_contacts/contact", contacts);
+    if (with_extra_) to.put("wall_contacts/extra", extra_of(touching));
   }
   /// @throws BadInput as SavedState::get
   void restore(const SavedState& from, Index particles) {
@@ -99,6 +105,7 @@ class WallList {
     }
     std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
     now_.result.resize(count);
+    if (with_extra_) Exec::upload(now_.extra, restored_extra(from, counts));
     Exec::upload(now_.history, std::move(history));
     Exec::upload(now_.touching, std::vector<std::int8_t>(count, 1));
     Exec::upload(now_.entry, std::move(entries));
@@ -106,6 +113,29 @@ class WallList {
   }
 
  private:
+  /// Of the contacts of touching entries, one after the other.
+  std::vector<ExtraHistory<Real>> extra_of(const std::vector<std::int8_t>& touching) const {
+    const std::vector<WallHistory<Real>> history = where(touching, Exec::host(now_.history));
+    const std::vector<WallExtraHistory<Real>> extra = where(touching, Exec::host(now_.extra));
+    std::vector<ExtraHistory<Real>> all;
+    for (std::size_t n = 0; n < history.size(); ++n)
+      all.insert(all.end(), extra[n].contact, extra[n].contact + history[n].count);
+    return all;
+  }
+  static std::vector<WallExtraHistory<Real>> restored_extra(const SavedState& from,
+                                                            const std::vector<std::int32_t>& counts) {
+    const auto all = from.get<ExtraHistory<Real>>(
+        "wall_contacts/extra", static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), 0)));
+    std::vector<WallExtraHistory<Real>> extra(counts.size());
+    auto next = all.begin();
+    for (std::size_t n = 0; n < counts.size(); ++n) {
+      std::copy_n(next, counts[n], extra[n].contact);
+      next += counts[n];
+    }
+    return extra;
+  }
+
+  bool with_extra_;
   WallPairs<Buffer, Real> now_, old_;  ///< two, so that history is carried from the old to the new
 };
 

@@ -31,7 +31,7 @@ std::string in_mm(double length) {
 void check_fits(const char* what, const PlaceRegion& region, double size) {
   if (size <= region.narrowest()) return;
   throw BadInput(std::string(what) + " of " + in_mm(size) + " is larger than the region it is fed into (" +
-                 in_mm(region.narrowest()) + "); accepted are smaller rocks or a larger region");
+                 in_mm(region.narrowest()) + "); use smaller rocks or a larger region");
 }
 
 }  // namespace
@@ -54,9 +54,9 @@ Feed::Feed(const RockLibrary& library, FeedPlan plan, std::span<const Wall> wall
 }
 
 void Feed::check_plan() const {
-  if (library_.rocks.empty()) throw BadInput("the feed has no rocks to draw; accepted is a library with at least one");
+  if (library_.rocks.empty()) throw BadInput("the feed has no rocks to draw; the library must have at least one");
   for (const double m : {plan_.initial, plan_.batch, plan_.rate, plan_.start}) {
-    if (!(m >= 0)) throw BadInput("a feed mass, rate or start is negative; accepted are values from 0 on");
+    if (!(m >= 0)) throw BadInput("a feed mass, rate or start is negative; it must be >= 0");
   }
   if (!(plan_.clearance > 0 && plan_.retry > 0 && plan_.places > 0 && plan_.improvements >= 0)) {
     throw BadInput("the feed's clearance, retry time or number of places is not above 0; it must be");
@@ -70,7 +70,7 @@ void Feed::check_plan() const {
   for (const double mass : {plan_.initial, plan_.batch}) {
     if (mass > 0 && mass <= minimum)
       throw BadInput("a feed of " + std::to_string(mass) + " kg is less than half of the lightest rock, " +
-                     std::to_string(2 * minimum) + " kg; accepted are a larger mass or smaller rocks");
+                     std::to_string(2 * minimum) + " kg; use a larger mass or smaller rocks");
   }
   if (plan_.initial > 0) check_fits("a particle", *charge_, 2 * largest_radius_);
   if (!entry_) return;
@@ -151,8 +151,7 @@ std::optional<NewRock> Feed::placed(const PlaceRegion& region, Bed& bed, const S
 
 void Feed::check_fixed(const FixedRock& fixed, const Bed& bed) const {
   if (fixed.rock < 0 || static_cast<std::size_t>(fixed.rock) >= library_.rocks.size()) {
-    throw BadInput("a fixed rock is not in the library; accepted are rocks 0 to " +
-                   std::to_string(library_.rocks.size() - 1));
+    throw BadInput("a fixed rock is not in the library; use rocks 0 to " + std::to_string(library_.rocks.size() - 1));
   }
   const RockTemplate& rock = library_.rocks[static_cast<std::size_t>(fixed.rock)];
   for (std::size_t k = 0; k < rock.centres.size(); ++k) {
@@ -160,10 +159,10 @@ void Feed::check_fixed(const FixedRock& fixed, const Bed& bed) const {
     // Touching is allowed: a rock may stand on a platen. The slack is rounding of the input.
     const double radius = rock.radii[k] * (1 - 1e-9);
     if (bed.raised(centre, radius, 0) > centre.z) {
-      throw BadInput("a fixed rock overlaps particles that are already there; accepted is a free place");
+      throw BadInput("a fixed rock overlaps other particles; move it to a free place");
     }
     if (walls_.distance(centre) < radius) {
-      throw BadInput("a fixed rock reaches into a wall or lies behind it; accepted is a place in front of all walls");
+      throw BadInput("a fixed rock reaches into a wall or lies behind it; move it in front of all walls");
     }
   }
 }
@@ -204,7 +203,7 @@ void Feed::charge(Bed& bed, std::vector<NewRock>& rocks) {
     if (!rock) {
       throw BadInput("the initial charge of " + std::to_string(plan_.initial) + " kg does not fit below " +
                      std::to_string(charge_->high()) + " m (placed " + std::to_string(charged) +
-                     " kg); accepted is less mass or a higher limit");
+                     " kg); use less mass or a higher limit");
     }
     for (const NewParticle& p : rock->particles) top = std::max(top, p.position.z);
     rocks.push_back(std::move(*rock));

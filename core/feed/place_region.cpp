@@ -23,7 +23,7 @@ Vec3d on_ring(double inner, double outer, double u, double v) {
 
 const Wall& wall_of(std::span<const Wall> walls, Index k) {
   if (k < 0 || static_cast<std::size_t>(k) >= walls.size()) {
-    throw BadInput("the feed's chamber names a wall that the scene does not have; accepted are the scene's walls");
+    throw BadInput("the feed's chamber names a wall that the scene does not have; use a wall of the scene");
   }
   return walls[static_cast<std::size_t>(k)];
 }

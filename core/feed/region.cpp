@@ -33,8 +33,7 @@ std::vector<Piece> pieces_of(const Wall& wall) {
     }
   }
   if (pieces.empty()) {
-    throw BadInput("wall \"" + wall.name +
-                   "\" has no radius about the z axis; accepted are liners, profiles or meshes");
+    throw BadInput("wall \"" + wall.name + "\" has no radius about the z axis; use a liner, a profile or a mesh");
   }
   return pieces;
 }

@@ -38,17 +38,17 @@ std::string read_bytes(const std::string& path) {
 
 ReadMesh read_mesh(const std::string& path) {
   const std::string end = lower_extension(path);
-  if (end != ".stl" && end != ".obj") throw BadInput(path + ": unknown kind of mesh; accepted are .stl and .obj files");
+  if (end != ".stl" && end != ".obj") throw BadInput(path + ": unknown kind of mesh; use an .stl or .obj file");
   const std::string bytes = read_bytes(path);
   const TriangleMesh soup = end == ".stl" ? parse_stl(bytes, path) : parse_obj(bytes, path);
 
   constexpr double weld_fraction = 1e-7;  // single precision, in which STL files are written
   const Box box = bounding_box(soup);
   const double diagonal = norm(box.high - box.low);
-  if (!std::isfinite(diagonal)) throw BadInput(path + ": coordinates beyond 1e150; accepted are numbers in metres");
+  if (!std::isfinite(diagonal)) throw BadInput(path + ": coordinates beyond 1e150; give coordinates in metres");
   ReadMesh read{weld(soup, weld_fraction * diagonal), {}};
   const Dropped dropped = drop_useless_triangles(read.mesh);
-  if (read.mesh.triangles.empty()) throw BadInput(path + ": no triangle has an area; accepted is a surface");
+  if (read.mesh.triangles.empty()) throw BadInput(path + ": no triangle has an area; give a surface");
   if (dropped.flat > 0)
     read.notes.push_back(path + ": " + count_of(dropped.flat, "triangle") + " without area dropped");
   if (dropped.repeated > 0)

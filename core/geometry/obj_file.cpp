@@ -26,14 +26,14 @@ class ObjParser {
   }
 
   TriangleMesh take() {
-    if (mesh_.triangles.empty()) throw BadInput(name_ + ": no faces; accepted is OBJ with 'v' and 'f' lines");
+    if (mesh_.triangles.empty()) throw BadInput(name_ + ": no faces; use OBJ with 'v' and 'f' lines");
     return std::move(mesh_);
   }
 
  private:
   [[noreturn]] void refuse(const std::string& problem) const {
     throw BadInput(name_ + ":" + std::to_string(number_) + ": " + problem +
-                   "; accepted are 'v x y z' and 'f' with at least 3 of v, v/vt, v//vn or v/vt/vn");
+                   "; use 'v x y z' and 'f' with at least 3 of v, v/vt, v//vn or v/vt/vn");
   }
 
   std::string_view word() {

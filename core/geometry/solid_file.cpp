@@ -13,7 +13,7 @@ constexpr double weld_limit = 1e-4;   // [diagonal]
 constexpr double speck_share = 0.01;  // of the largest body's volume
 constexpr double hole_share = 0.01;   // of the surface
 constexpr double min_volume = 1e-9;   // [diagonal^3]
-const std::string accepted = "; a rock is one closed surface, so every edge has two triangles";
+const std::string advice = "; a rock must be one closed surface, with two triangles at every edge";
 
 std::string percent(double share) {
   char text[32];
@@ -51,12 +51,12 @@ void close_small_holes(ReadMesh& read, const std::string& path) {
   const ClosedHoles holes = close_holes(read.mesh, hole_share);
   if (holes.ambiguous) {
     throw BadInput(path + ": the surface is open, with " + count_of(open, "open edge") +
-                   " whose holes touch each other" + accepted);
+                   " whose holes touch each other" + advice);
   }
   if (holes.too_large > 0) {
     throw BadInput(path + ": the surface is open, with " + count_of(open, "open edge") + " around a hole of " +
                    percent(holes.too_large / surface) + " of its area; holes of up to " + percent(hole_share) +
-                   " are closed" + accepted);
+                   " are closed" + advice);
   }
   read.notes.push_back(path + ": " + count_of(holes.closed, "hole") + " closed, the largest of " +
                        percent(holes.largest / surface) + " of the surface");
@@ -66,15 +66,15 @@ void close_small_holes(ReadMesh& read, const std::string& path) {
 void require_solid(const TriangleMesh& mesh, const std::string& path) {
   const EdgeCheck check = check_edges(mesh);
   if (check.crowded > 0) {
-    throw BadInput(path + ": " + count_of(check.crowded, "edge") + " with more than two triangles" + accepted);
+    throw BadInput(path + ": " + count_of(check.crowded, "edge") + " with more than two triangles" + advice);
   }
-  if (check.contradictory > 0) throw BadInput(path + ": the surface has only one side" + accepted);
+  if (check.contradictory > 0) throw BadInput(path + ": the surface has only one side" + advice);
   if (check.open > 0)
-    throw BadInput(path + ": the surface is open, with " + count_of(check.open, "open edge") + accepted);
-  if (check.bodies != 1) throw BadInput(path + ": " + std::to_string(check.bodies) + " separate bodies" + accepted);
+    throw BadInput(path + ": the surface is open, with " + count_of(check.open, "open edge") + advice);
+  if (check.bodies != 1) throw BadInput(path + ": " + std::to_string(check.bodies) + " separate bodies" + advice);
   const double diagonal = diagonal_of(mesh);
   if (!(mass_properties(mesh).volume > min_volume * diagonal * diagonal * diagonal))
-    throw BadInput(path + ": the surface encloses no volume" + accepted);
+    throw BadInput(path + ": the surface encloses no volume" + advice);
 }
 
 }  // namespace

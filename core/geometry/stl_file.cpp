@@ -20,7 +20,7 @@ constexpr std::size_t header_size = 84;    // 80 bytes of text and the number of
 constexpr std::size_t triangle_size = 50;  // normal, three corners, 2 bytes of attributes
 
 [[noreturn]] void refuse(const std::string& name, const std::string& problem) {
-  throw BadInput(name + ": " + problem + "; accepted is ASCII or binary STL with at least one triangle");
+  throw BadInput(name + ": " + problem + "; use ASCII or binary STL with at least one triangle");
 }
 
 void add_corner(TriangleMesh& mesh, const Vec3d& p, const std::string& name) {

@@ -3,6 +3,7 @@
 
 #include "core/kernels/bond_forces.hpp"
 #include "core/kernels/wall_forces.hpp"
+#include "core/laws/contact/models.hpp"
 
 // What the ledger adds up: maps for Exec::reduce. No kernel of the step depends on them.
 
@@ -83,8 +84,9 @@ struct SumContacts {
   ConstPairView<Real> pairs;
   ConstWallPairView<Real> near;
   WallsNow walls;
-  ContactLaw<Real> law;
-  const ContactLaw<Real>* wall_laws;
+  ContactConstants<Real> rock;            ///< of rock against rock
+  const ContactConstants<Real>* on_wall;  ///< of rock against each wall
+  ContactModel rock_model, wall_model;
 
   GYRO_HD ContactSums operator()(Index n) const {
     const Sphere sphere = p.position[n];
@@ -103,8 +105,8 @@ struct SumContacts {
     const double a = p.position[pair.i].radius, b = p.position[pair.j].radius;
     const ContactHistory<Real> m = pairs.history[n];
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
-    return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.elastic)), ratio,
-            p.id[pair.i], p.id[pair.j], none};
+    const Real energy = contact_energy(rock_model, rock, static_cast<Real>(a * b / (a + b)), m, pairs.extra + n);
+    return {static_cast<double>(energy), ratio, p.id[pair.i], p.id[pair.j], none};
   }
   GYRO_HD ContactSums of_wall(Index n, const Sphere& sphere) const {
     const WallEntry entry = near.entry[n];
@@ -114,9 +116,10 @@ struct SumContacts {
     for (int k = 0; k < near.history[n].count; ++k) {
       const ContactHistory<Real> m = near.history[n].contact[k].history;
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
-      s = s + ContactSums{weight * static_cast<double>(contact_energy(
-                                       wall_laws[entry.wall], static_cast<Real>(sphere.radius), m.overlap, m.elastic)),
-                          static_cast<double>(m.overlap) / sphere.radius, p.id[entry.particle], 0, entry.wall};
+      const Real energy = contact_energy(wall_model, on_wall[entry.wall], static_cast<Real>(sphere.radius), m,
+                                         near.extra[n].contact + k);
+      s = s + ContactSums{weight * static_cast<double>(energy), static_cast<double>(m.overlap) / sphere.radius,
+                          p.id[entry.particle], 0, entry.wall};
     }
     return s;
   }

@@ -123,8 +123,10 @@ template <class Real>
 struct CarryHistory {
   PairView<Real> now;
   ConstPairView<Real> old;
+  bool with_extra;  ///< the contact law keeps ExtraHistory
 
   GYRO_HD void operator()(Index n) const {
+    if (with_extra) now.extra[n] = {};
     now.history[n] = {};
     now.touching[n] = 0;
     const Pair pair = now.pair[n];
@@ -132,6 +134,7 @@ struct CarryHistory {
       const Index m = old.ends[e].pair;
       if (old.pair[m].i != pair.i || old.pair[m].j != pair.j) continue;
       now.history[n] = old.history[m];
+      if (with_extra) now.extra[n] = old.extra[m];
       now.touching[n] = old.touching[m];
       return;
     }

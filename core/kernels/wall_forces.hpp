@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laws/contact/contact.hpp"
 #include "core/scene/wall_motion.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
@@ -51,7 +52,9 @@ struct WallTotal {
 /// Contact of a particle with a rigid wall: force into the entry's own slot, load of the wall into
 /// the entry's exact sums. Half of the last step's load of a window acts in the next one's first half kick:
 /// work, impulse and angular impulse of a window are those that the rock has felt in it.
-template <class Real, bool held>
+/// @tparam Law   a ContactLaw
+/// @tparam held  forces are held over several sub-steps
+template <class Real, class Law, bool held>
 struct WallForces {
   static constexpr int blocks_at_once = 2;
 
@@ -59,10 +62,10 @@ struct WallForces {
   WallsNow walls;
   WallPairView<Real> near;
   WallBooking booking;
-  const ContactLaw<Real>* laws;  ///< of rock against each wall
-  double dt;                     ///< time for which the forces act [s]
-  double half_hold_offset;       ///< as in contact_position() [s]
-  double carry_over;             ///< share of that time beyond the window's end; 0 but for its last hold
+  const ContactConstants<Real>* constants;  ///< of rock against each wall
+  double dt;                                ///< time for which the forces act [s]
+  double half_hold_offset;                  ///< as in contact_position() [s]
+  double carry_over;                        ///< share of that time beyond the window's end; 0 but for its last hold
   OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
@@ -90,6 +93,8 @@ struct WallForces {
     const AngularMotion angular = p.angular_motion[entry.particle];
     const WallHistory<Real> old = near.history[n];
     WallHistory<Real> now;
+    WallExtraHistory<Real> old_extra, now_extra{};
+    if constexpr (Law::keeps_extra_history) old_extra = near.extra[n];
     WallResult<Real> result{};
     WallTotal total;
     bool taken[WallTouches::capacity] = {};
@@ -111,8 +116,12 @@ struct WallForces {
       c.inertia = static_cast<Real>(angular.inertia);
       c.lever = static_cast<Real>(arm);
 
+      const int found = matching_contact(old, cast<Real>(outward), taken);
+      ExtraHistory<Real> extra{};
+      if constexpr (Law::keeps_extra_history)
+        if (found >= 0) extra = old_extra.contact[found];
       const ContactLoad<Real> load =
-          hertz_mindlin(laws[entry.wall], c, matching_history(old, cast<Real>(outward), taken));
+          Law::load(constants[entry.wall], c, found >= 0 ? old.contact[found].history : ContactHistory<Real>{}, extra);
       const Real weight = static_cast<Real>(touch.weight);
       const Vec3<Real> force = weight * load.force;
       const Vec3<Real> couple = weight * load.couple;
@@ -121,22 +130,23 @@ struct WallForces {
       result.damped += weight * load.damped;
       result.slipped += weight * load.slipped;
       now.contact[k] = {load.history, cast<Real>(outward)};
+      if constexpr (Law::keeps_extra_history) now_extra.contact[k] = extra;
       total.add(cast<double>(force), point, wall_velocity);
       total.add_couple(cast<double>(couple), pose.angular_velocity);
     }
     total.slip_power = static_cast<double>(result.slipped) / dt;
     now.count = touches.count;
     near.history[n] = now;
+    if constexpr (Law::keeps_extra_history) near.extra[n] = now_extra;
     near.result[n] = result;
     total.book((1 - carry_over) * dt, booking.sums[n]);
     if (carry_over > 0) total.book(carry_over * dt, booking.carried_over[n]);
   }
 
-  /// History of the contact of the last step with the nearest normal (within 45 degrees), each used once if there are
-  /// enough. A contact that appears beside another takes the history of that one: when the sphere rolls on to the next
+  /// The contact of the last step with the nearest normal (within 45 degrees), each used once if there are enough; -1:
+  /// none. A contact that appears beside another takes the history of that one: when the sphere rolls on to the next
   /// facet of a concave wall, both share the load, and friction must not restart from zero.
-  GYRO_HD static ContactHistory<Real> matching_history(const WallHistory<Real>& old, const Vec3<Real>& normal,
-                                                       bool* taken) {
+  GYRO_HD static int matching_contact(const WallHistory<Real>& old, const Vec3<Real>& normal, bool* taken) {
     int own = -1, beside = -1;
     Real nearest = Real(0.70710678), nearest_of_all = nearest;
     for (int k = 0; k < old.count; ++k) {
@@ -151,8 +161,7 @@ struct WallForces {
       }
     }
     if (own >= 0) taken[own] = true;
-    const int found = own >= 0 ? own : beside;
-    return found >= 0 ? old.contact[found].history : ContactHistory<Real>{};
+    return own >= 0 ? own : beside;
   }
 };
 

@@ -43,6 +43,7 @@ template <class Real>
 struct CarryWallHistory {
   WallPairView<Real> now;
   ConstWallPairView<Real> old;
+  bool with_extra;  ///< the contact law keeps ExtraHistory
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = now.entry[n];
@@ -51,6 +52,7 @@ struct CarryWallHistory {
     for (Index e = old.row_begin[entry.particle]; e < old.row_begin[entry.particle + 1]; ++e) {
       if (old.entry[e].wall != entry.wall) continue;
       now.history[n] = old.history[e];
+      if (with_extra) now.extra[n] = old.extra[e];
       now.touching[n] = old.touching[e];
       return;
     }

@@ -28,8 +28,7 @@ double bond_radius(const BondRule& rule, double ri, double rj) {
 
 void check_rule(const BondRule& rule) {
   if (!(rule.gap >= 0 && rule.gap < 1)) {
-    throw BadInput("bonds.gap is " + std::to_string(rule.gap) +
-                   "; accepted is 0 to below 1, in smaller particle radii");
+    throw BadInput("bonds.gap is " + std::to_string(rule.gap) + "; it must be >= 0 and < 1, in smaller particle radii");
   }
   const double radius = bond_radius(rule, 1, 1);
   if (!(std::isfinite(radius) && radius > 0)) throw BadInput("bonds.radius must be a positive number");

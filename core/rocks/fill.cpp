@@ -141,7 +141,7 @@ Filling best_cut(const Mould& mould, const Packing& packing, double unit, const 
 /// The faces of a convex shape; triangles of one face once.
 Vessel vessel_of(const Mould& mould) {
   if (!mould.inside.convex())
-    throw BadInput("rocks.fill.surface: smooth is for convex shapes of up to 500 triangles; cut is accepted here");
+    throw BadInput("rocks.fill.surface: smooth is for convex shapes of up to 500 triangles; use cut here");
   Vessel vessel;
   vessel.volume = 1;
   for (const InsideTest::Plane& plane : mould.inside.planes()) {
@@ -191,17 +191,17 @@ std::string in_mm(double length) {
 
 void check(const MonoFill& mono) {
   if (mono.ratio >= min_fill_ratio && mono.ratio <= greatest_fill_ratio) return;
-  throw BadInput("rocks.fill ratio is " + std::to_string(mono.ratio) + "; accepted is 2 to 50");
+  throw BadInput("rocks.fill ratio is " + std::to_string(mono.ratio) + "; it must be between 2 and 50");
 }
 
 void check(const RangeFill& range) {
   if (!(range.smallest > 0 && range.largest > range.smallest &&
         range.largest <= greatest_size_ratio * range.smallest)) {
     throw BadInput("rocks.fill.sizes are " + in_mm(range.smallest) + " to " + in_mm(range.largest) +
-                   "; accepted is a largest of up to 8 times the smallest");
+                   "; the largest must be at most 8 times the smallest");
   }
   if (!(range.exponent > 0 && range.exponent <= 5))
-    throw BadInput("rocks.fill.exponent is " + std::to_string(range.exponent) + "; accepted is above 0 to 5");
+    throw BadInput("rocks.fill.exponent is " + std::to_string(range.exponent) + "; it must be > 0 and <= 5");
 }
 
 Filling cut_for(const MonoFill& mono, const Mould& mould, const BondRule& bonds, const FillJob& job) {
@@ -257,7 +257,7 @@ Grading grading_of(const RangeFill& range, double diameter) {
   const double largest = std::min(range.largest, largest_share * diameter);
   if (largest < range.smallest) {
     throw BadInput("a rock of " + in_mm(diameter) + " is too small for particles from " + in_mm(range.smallest) +
-                   " on; accepted are rocks of at least three times the smallest of rocks.fill.sizes");
+                   " on; use rocks of at least three times the smallest of rocks.fill.sizes");
   }
   const double below = std::ceil(classes * std::log2(range.largest / largest) - 1e-9);
   const double ratio = range.largest / range.smallest * std::exp2(-std::max(0.0, below) / classes);
@@ -265,7 +265,7 @@ Grading grading_of(const RangeFill& range, double diameter) {
   const double count = 0.7 * cube(diameter / range.smallest) / mean_cubed_radius(grading);
   if (count > max_particles) {
     throw BadInput("a rock of " + in_mm(diameter) + " would hold about " + std::to_string(std::lround(count)) +
-                   " particles; accepted are 100000, so larger rocks.fill.sizes or smaller rocks");
+                   " particles; at most 100000 are possible: use larger rocks.fill.sizes or smaller rocks");
   }
   return grading;
 }
@@ -277,8 +277,8 @@ Filling fill(const Mould& mould, const FillRule& rule, const BondRule& bonds, co
     const auto* mono = std::get_if<MonoFill>(&rule);
     throw BadInput("the particles of a rock do not hold together" +
                    (mono ? " at fill ratio " + std::to_string(mono->ratio) : std::string()) + " and bonds.gap " +
-                   std::to_string(bonds.gap) + ": its shape is too thin or the gap too small; accepted are " +
-                   (mono ? "larger ratios" : "smaller particles") + " and larger gaps, 0.05 is usual");
+                   std::to_string(bonds.gap) + ": its shape is too thin or the gap too small; use " +
+                   (mono ? "a larger ratio" : "smaller particles") + " or a larger gap, 0.05 is usual");
   }
   return best;
 }

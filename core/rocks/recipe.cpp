@@ -101,7 +101,7 @@ void check_recipe(const LibraryRecipe& recipe) {
       throw BadInput("rocks.shapes.loading_angle must be 0 to 1 rad");
   } else {
     const auto& files = std::get<ShapeFiles>(recipe.shapes);
-    if (files.paths.empty()) throw BadInput("rocks.shapes: the list of files is empty; accepted are STL and OBJ files");
+    if (files.paths.empty()) throw BadInput("rocks.shapes: the list of files is empty; name STL or OBJ files");
     if (files.corners != 0 && (files.corners < 8 || files.corners > max_samples))
       throw BadInput("rocks.shapes.corners must be 8 to 10000");
   }

@@ -3,6 +3,7 @@
 
 #include "core/base/hd.hpp"
 #include "core/math/quat.hpp"
+#include "core/scene/contact_model.hpp"
 
 #include <optional>
 #include <string>
@@ -23,7 +24,8 @@ struct Material {
 struct PairProperties {
   double friction = 0;          ///< Coulomb coefficient [-]
   double restitution = 1;       ///< of a normal impact, in (0, 1] [-]
-  double rolling_friction = 0;  ///< rolling torque = coefficient x R* x normal force [-]
+  double rolling_friction = 0;  ///< rolling torque <= coefficient x R* x normal force [-]
+  ContactModel model{};         ///< law of the normal force and of rolling resistance
 };
 
 /// Infinite plane; rock is on the side of the normal.

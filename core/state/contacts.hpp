@@ -3,7 +3,7 @@
 
 #include "core/base/fields.hpp"
 #include "core/base/shared_counter.hpp"
-#include "core/laws/hertz_mindlin.hpp"
+#include "core/laws/contact/contact.hpp"
 #include "core/state/columns.hpp"
 
 namespace gyro {
@@ -52,6 +52,7 @@ template <template <class> class Column, class Real>
 struct Pairs {
   Column<Pair> pair;
   Column<ContactHistory<Real>> history;  ///< zero while the pair does not touch
+  Column<ExtraHistory<Real>> extra;      ///< likewise; empty unless the contact law keeps it
   Column<PairResult<Real>> result;
   Column<std::int8_t> touching;  ///< 1: in contact in this step
   Column<Index> row_begin;       ///< per particle, into ends; one past the end at the last
@@ -61,6 +62,7 @@ struct Pairs {
   static constexpr void for_each_column(F&& f, P&... p) {
     f("pair", p.pair...);
     f("history", p.history...);
+    f("extra", p.extra...);
     f("result", p.result...);
     f("touching", p.touching...);
     f("row_begin", p.row_begin...);

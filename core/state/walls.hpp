@@ -63,6 +63,12 @@ struct WallHistory {
   std::int32_t count;
 };
 
+/// History that only some contact laws keep, of the contacts of one entry.
+template <class Real>
+struct WallExtraHistory {
+  ExtraHistory<Real> contact[WallTouches::capacity];
+};
+
 /// Result of an entry for this step.
 template <class Real>
 struct WallResult {
@@ -75,6 +81,7 @@ template <template <class> class Column, class Real>
 struct WallPairs {
   Column<WallEntry> entry;
   Column<WallHistory<Real>> history;
+  Column<WallExtraHistory<Real>> extra;  ///< empty unless the contact law keeps it
   Column<WallResult<Real>> result;
   Column<std::int8_t> touching;  ///< 1: in contact in this step
   Column<Index> row_begin;       ///< per particle; one past the end at the last
@@ -83,6 +90,7 @@ struct WallPairs {
   static constexpr void for_each_column(F&& f, W&... w) {
     f("entry", w.entry...);
     f("history", w.history...);
+    f("extra", w.extra...);
     f("result", w.result...);
     f("touching", w.touching...);
     f("row_begin", w.row_begin...);

@@ -80,8 +80,7 @@ LinerLevel slice_at(const Liners& liners, double z, double speed, double gravity
 }
 
 LinerReport measure(const Liners& liners, double speed, double gravity) {
-  if (!(speed > 0 && gravity > 0))
-    throw BadInput("the slice capacity needs a speed and a gravity; both above 0 are accepted");
+  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity; both must be > 0");
   const Chamber chamber{liners};
   LinerReport report;
   report.closed_side_setting = side_setting(liners, liners.motion.lift, true);

@@ -15,28 +15,27 @@ void require(bool good, const std::string& message) {
 }
 
 void check_rows(std::span<const LinerRow> rows) {
-  require(rows.size() >= 2, "the liner profile has " + std::to_string(rows.size()) + " rows; two or more are accepted");
+  require(rows.size() >= 2, "the liner profile has " + std::to_string(rows.size()) + " rows; it needs two or more");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const LinerRow& row = rows[i];
     const std::string which = "row " + std::to_string(i + 1) + " of the liner profile: ";
     require(std::isfinite(row.z) && std::isfinite(row.mantle_radius) && std::isfinite(row.concave_radius),
-            which + "a number is not finite; finite numbers are accepted");
+            which + "a number is not finite; give finite numbers");
     require(row.mantle_radius > 0 && row.concave_radius > row.mantle_radius,
-            which + "the mantle is not inside the concave; 0 < mantle radius < concave radius is accepted");
-    require(i == 0 || row.z > rows[i - 1].z, which + "z does not rise; rows in order of rising z are accepted");
+            which + "the mantle is not inside the concave; it must be 0 < mantle radius < concave radius");
+    require(i == 0 || row.z > rows[i - 1].z, which + "z does not rise; sort the rows by rising z");
   }
   require(rows.front().z <= 0 && rows.back().z > 0,
-          "the liner profile does not hold the discharge plane; z from 0 or below to above 0 is accepted");
+          "the liner profile does not contain the discharge plane; begin at z <= 0 and end at z > 0");
 }
 
 void check_setting(const LinerSetting& s, double top) {
   require(s.closed_side_setting > 0 && std::isfinite(s.closed_side_setting),
-          "closed_side_setting is not positive; a length above 0 is accepted");
-  require(s.eccentricity >= 0 && std::isfinite(s.eccentricity),
-          "eccentricity is negative; a length from 0 is accepted");
+          "closed_side_setting is not positive; it must be > 0");
+  require(s.eccentricity >= 0 && std::isfinite(s.eccentricity), "eccentricity is negative; it must be >= 0");
   require(s.pivot_height > top && std::isfinite(s.pivot_height),
-          "pivot_height is not above the liners; a height above " + std::to_string(top) + " m is accepted");
-  require(s.collar >= 0 && std::isfinite(s.collar), "collar is negative; a height from 0 is accepted");
+          "pivot_height is not above the liners; it must be > " + std::to_string(top) + " m");
+  require(s.collar >= 0 && std::isfinite(s.collar), "collar is negative; it must be >= 0");
 }
 
 ProfileShape concave_of(std::span<const LinerRow> rows, double collar) {
@@ -119,12 +118,12 @@ double solve_lift(const Liners& liners) {
   for (double step = maximum / 64; step <= maximum && excess(high) > 0; step *= 2) high = step;
   const double widest = side_setting(liners, low, true);
   require(widest > std::max(side_setting(liners, high, true), 0.0),
-          "the mantle reaches the concave at any height, by its profile or by the eccentricity; a narrower mantle or a "
-          "smaller eccentricity is accepted");
+          "the mantle reaches the concave at any height, by its profile or by the eccentricity; use a narrower mantle "
+          "or a smaller eccentricity");
   require(excess(low) >= 0 && excess(high) <= 0, "closed_side_setting of " + std::to_string(wanted) +
-                                                     " m cannot be had by lifting the mantle; between " +
+                                                     " m cannot be reached by lifting the mantle; it must be between " +
                                                      std::to_string(std::max(side_setting(liners, high, true), 0.0)) +
-                                                     " and " + std::to_string(widest) + " m are accepted");
+                                                     " and " + std::to_string(widest) + " m");
   while (high - low > 1e-12 * maximum) {
     const double middle = (low + high) / 2;
     (excess(middle) >= 0 ? low : high) = middle;
@@ -133,7 +132,7 @@ double solve_lift(const Liners& liners) {
 }
 
 MeshShape revolve(const ProfileShape& shape, int sectors) {
-  require(sectors >= 3, "a surface of revolution of " + std::to_string(sectors) + " sectors; 3 or more are accepted");
+  require(sectors >= 3, "a surface of revolution of " + std::to_string(sectors) + " sectors; it needs 3 or more");
   MeshShape mesh;
   std::vector<Index> ring;  // first vertex of each profile point's ring
   for (const ProfilePoint& p : shape.points) {

@@ -22,7 +22,7 @@ HeightRange common_heights(const MeshLiners& liners) {
   const HeightRange a = heights_of(liners.concave, 0), b = heights_of(liners.mantle, liners.motion.lift);
   const HeightRange both{std::max(a.low, b.low), std::min(a.high, b.high)};
   if (!(both.low < both.high))
-    throw BadInput("mantle and concave have no height in common; meshes that stand as they work are accepted");
+    throw BadInput("mantle and concave have no height in common; place the meshes as they work");
   return both;
 }
 
@@ -130,8 +130,7 @@ std::vector<MeshReport::NipAngle> nip_angles(const SectionedChamber& chamber) {
 }  // namespace
 
 MeshReport measure(const MeshLiners& liners, double speed, double gravity) {
-  if (!(speed > 0 && gravity > 0))
-    throw BadInput("the slice capacity needs a speed and a gravity; both above 0 are accepted");
+  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity; both must be > 0");
   MeshReport report;
   report.sides = MeshGap(liners.mantle, liners.concave, liners.motion).sides(liners.motion.lift);
   report.closed_side_setting = 1e300;

@@ -49,15 +49,14 @@ void drop_repeated(std::vector<Vec3d>& points) {
 MeshGap::MeshGap(const MeshShape& mantle, const MeshShape& concave, const GyrationMotion& motion)
     : mantle_(mantle), concave_(concave), motion_(motion) {
   for (const Vec3d& v : concave.vertices) height_ = std::max(height_, v.z);
-  if (!(height_ > 0))
-    throw BadInput("the concave has nothing above the discharge plane z = 0; a mesh that has is accepted");
+  if (!(height_ > 0)) throw BadInput("the concave has nothing above the discharge plane z = 0; move the mesh up");
   for (int k = 0; k < strip_count; ++k) strips_.push_back({2 * std::numbers::pi * k / strip_count, {}, {}});
   take_points(concave, 0, 0.1 * height_, &Strip::concave);
   double lowest = 1e300;
   for (const Vec3d& v : mantle.vertices) lowest = std::min(lowest, v.z);
   take_points(mantle, lowest, lowest + 0.1 * height_, &Strip::mantle);
   std::erase_if(strips_, [](const Strip& strip) { return strip.concave.empty(); });
-  if (strips_.empty()) throw BadInput("the concave is open where the setting is measured; a closed ring is accepted");
+  if (strips_.empty()) throw BadInput("the concave is open where the setting is measured; it must be a closed ring");
   reach_ = widest_gap() + 0.1 * height_;
 }
 
@@ -67,7 +66,7 @@ double MeshGap::widest_gap() const {
   double widest = 0;
   for (const Strip& strip : strips_) {
     const Nearest nearest = nearest_triangle(mantle_, strip.concave.front(), 0.1 * height_);
-    if (nearest.triangle == none) throw BadInput("the mantle is nowhere near the concave; one inside it is accepted");
+    if (nearest.triangle == none) throw BadInput("the mantle is far from the concave; place it inside");
     widest = std::max(widest, nearest.point.height + 2 * motion_.eccentricity);
   }
   return widest;
@@ -168,13 +167,13 @@ double MeshGap::solve_lift(double wanted) const {
   }
   if (at_low + wanted <= std::max(narrowest + wanted, 0.0) && (at_low < 0 || at_high > 0))
     throw BadInput(
-        "no height of the mantle leaves a gap to the concave; a mantle that fits inside the concave is "
-        "accepted, both in metres");
+        "no height of the mantle leaves a gap to the concave; use a mantle that fits inside the concave, "
+        "both in metres");
   if (at_low < 0 || at_high > 0)
     throw BadInput("closed_side_setting of " + std::to_string(wanted) +
-                   " m cannot be had by lifting the mantle; between " +
+                   " m cannot be reached by lifting the mantle; it must be between " +
                    std::to_string(std::max(narrowest + wanted, 0.0)) + " and " + std::to_string(at_low + wanted) +
-                   " m are accepted");
+                   " m");
   while (high - low > 1e-6) {  // false position, kept away from the ends
     const double share = at_low == at_high ? 0.5 : std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
     const double middle = low + share * (high - low), value = closed(middle) - wanted;

@@ -81,7 +81,7 @@ int RadialSections::bridge(int azimuth) {
   }
   if (known < 0)
     throw BadInput("a liner has no surface at azimuth " + std::to_string(360.0 * azimuth / azimuths) +
-                   " degrees; liners all around the axis are accepted");
+                   " degrees; use liners all around the axis");
   for (int gap = known + 1; gap < levels; ++gap, ++bridges) radius(azimuth, gap) = radius(azimuth, known);
   return bridges;
 }

@@ -170,7 +170,7 @@ struct CaseOutput {
   std::vector<std::uint32_t> probes = {};  ///< ids of particles that the series follows
 };
 
-/// A checked case in SI units. What the file leaves out is either a documented default or absent.
+/// A checked case in SI units. A key that the file leaves out has its documented default or is absent.
 struct Case {
   std::filesystem::path file;  ///< the case file, absolute
   CaseIdentity identity;
@@ -203,7 +203,7 @@ struct CaseProblem {
   std::string message;
 };
 
-/// What became of a case file: either a case or every problem found in it.
+/// A case, or every problem found in its file.
 struct CaseReport {
   std::optional<Case> loaded;
   std::vector<CaseProblem> problems;
@@ -214,7 +214,7 @@ struct CaseReport {
 ///                   `null` leaves the key out
 CaseReport load_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// FILE:LINE:COLUMN: problem; what is accepted
+/// FILE:LINE:COLUMN: problem; what to do
 std::string to_string(const CaseProblem& problem);
 
 /// A problem that showed only after loading, at the place of the key to blame: where the file or the last
@@ -231,7 +231,7 @@ struct CaseDifference {
   std::string value, other;  ///< "not there" where a case leaves it out
 };
 
-/// Where two resolved cases differ in more than time.duration and `output`, which a run that goes on may change.
+/// Where two resolved cases differ in other keys than time.duration and `output`, which a continued run may change.
 std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other);
 
 /// Square table materials x materials for Scene::pairs. Pairs that cannot touch keep PairProperties' defaults.

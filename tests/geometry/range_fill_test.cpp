@@ -97,9 +97,9 @@ TEST_CASE("Rocks of like size share a packing, a large one has the whole range")
 TEST_CASE("Ranges that cannot fill a rock are refused with the reason") {
   const Mould mould(procedural_shape(1, 0));
   CHECK_THROWS_WITH(fill(mould, range, {}, {0.02, 1, 0}), Contains("too small for particles from 8 mm on"));
-  CHECK_THROWS_WITH(fill(mould, range, {}, {1.5, 1, 0}), Contains("accepted are 100000"));
-  CHECK_THROWS_WITH(fill(mould, RangeFill{0.045, 0.008}, {}, {0.5, 1, 0}), Contains("accepted is a largest"));
-  CHECK_THROWS_WITH(fill(mould, RangeFill{0.001, 0.045}, {}, {0.5, 1, 0}), Contains("up to 8 times"));
+  CHECK_THROWS_WITH(fill(mould, range, {}, {1.5, 1, 0}), Contains("at most 100000 are possible"));
+  CHECK_THROWS_WITH(fill(mould, RangeFill{0.045, 0.008}, {}, {0.5, 1, 0}), Contains("the largest must be"));
+  CHECK_THROWS_WITH(fill(mould, RangeFill{0.001, 0.045}, {}, {0.5, 1, 0}), Contains("at most 8 times"));
   CHECK_THROWS_WITH(fill(mould, RangeFill{0.008, 0.045, 0}, {}, {0.5, 1, 0}), Contains("exponent"));
   CHECK_THROWS_AS(fill(mould, RangeFill{NAN, 0.045}, {}, {0.5, 1, 0}), BadInput);
 }

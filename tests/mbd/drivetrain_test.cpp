@@ -28,21 +28,21 @@ double crushing(double begin, double end) {
   return 14e3 * (1 + std::sin(5 * middle)) + 3e3 * std::sin(31 * middle);
 }
 
-/// Bytes of all fields.
+/// Adds the bytes of all fields.
+template <class T>
+void add_bits(const T& value, std::vector<std::uint8_t>& all) {
+  if constexpr (HasFields<T>) {
+    T::for_each_field([&](const char*, const auto& field) { add_bits(field, all); }, value);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&value);
+    all.insert(all.end(), bytes, bytes + sizeof value);
+  } else {
+    for (const auto& number : value) add_bits(number, all);
+  }
+}
 std::vector<std::uint8_t> bits(const DrivetrainState& state) {
   std::vector<std::uint8_t> all;
-  const auto add = [&](const auto& number) {
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&number);
-    all.insert(all.end(), bytes, bytes + sizeof number);
-  };
-  DrivetrainState::for_each_field(
-      [&]<class T>(const char*, const T& field) {
-        if constexpr (std::is_arithmetic_v<T>)
-          add(field);
-        else
-          for (const auto& number : field) add(number);
-      },
-      state);
+  add_bits(state, all);
   return all;
 }
 

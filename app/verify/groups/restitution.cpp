@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Damped normal impacts: test 3 of Chung & Ooi, Granular Matter 13 (2011) 643.
-#include "core/laws/restitution.hpp"
+#include "core/laws/contact/restitution.hpp"
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/impact.hpp"
 #include "app/verify/fixtures/random.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using namespace fixtures;
 
-const std::string source = "asked for; damping by restitution_of_damping() in core/laws/restitution.hpp";
+const std::string source = "asked for; damping by restitution_of_damping() in core/laws/contact/restitution.hpp";
 
 std::string percent(double e) {
   char text[16];
