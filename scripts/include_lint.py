@@ -24,7 +24,7 @@ SHARED = ("base", "math", "scene", "surfaces", "laws")
 PREPARATION = {
     "geometry": (),
     "rocks": ("geometry",),
-    "fragments": (),
+    "fragments": ("geometry",),
     "walls": (),
     "feed": ("rocks", "walls"),
 }
@@ -59,7 +59,7 @@ LIBRARIES = (
     ("SUNDIALS", r"(cvode|nvector|sunmatrix|sunlinsol|sunnonlinsol|sundials|arkode|kinsol|ida)/", ("mbd", "app")),
     ("CUDA", r"(cuda|curand|cublas|nvtx|nvrtc|nvml)[\w/]*|(cub|thrust|nv|nvtx3)/|cooperative_groups|vector_types\.h",
      ("gpu",)),
-    ("CGAL", r"CGAL/", ("core/geometry", "core/rocks")),
+    ("CGAL", r"CGAL/", ("core/geometry",)),
     ("spdlog or fmt", r"(spdlog|fmt)/", ("mbd", "io", "app")),
     ("CLI11", r"CLI/", ("app",)),
     ("nlohmann-json", r"nlohmann/", ("io", "app")),

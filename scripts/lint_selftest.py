@@ -77,7 +77,7 @@ class IncludeLint(LintTest):
         for path, header in (
             ("core/laws/a.hpp", '"core/math/vec3.hpp"'),
             ("core/dem/a.cpp", '"core/rocks/library.hpp"'),
-            ("core/rocks/a.cpp", "<CGAL/Surface_mesh.h>"),
+            ("core/geometry/a.cpp", "<CGAL/Surface_mesh.h>"),
             ("core/rocks/a.cpp", "<Eigen/Dense>"),
             ("core/dem/a.cpp", "<vector>"),
             ("mbd/a.cpp", '"core/scene/window.hpp"'),

@@ -2,7 +2,7 @@
 #include "app/commands/commands.hpp"
 #include "app/simulation/assembly.hpp"
 #include "core/base/errors.hpp"
-#include "io/run/library_file.hpp"
+#include "io/rocks/library_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -52,7 +52,7 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   const Assembly assembly = located(arguments, [&] { return assemble(*input); });
   if (out) {
     make_directory(*out);
-    write_library(assembly.library, *out);
+    write_library(assembly.library, *out / "library.h5");
     write_library_preview(assembly.library, *out);
   }
   const SizeDistribution sizes(input->rocks->sizes);

@@ -5,7 +5,8 @@
 #include "app/simulation/start_check.hpp"
 #include "app/simulation/start_state.hpp"
 #include "core/base/errors.hpp"
-#include "core/geometry/stl_file.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/rocks/library_cache.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int picture_sectors = 240;
 
-MeshShape plane_picture(const PlaneShape& plane, double half) {
+TriangleMesh plane_picture(const PlaneShape& plane, double half) {
   const Vec3d helper = std::abs(plane.normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0};
   const Vec3d a0 = cross(plane.normal, helper);
   const Vec3d a = (half / norm(a0)) * a0, b = cross(plane.normal, a);
@@ -34,10 +35,10 @@ void add_wall(Assembly& out, const CaseWall& wall) {
     made.shape = *plane;
     out.pictures.push_back({plane_picture(*plane, 0.5), number});
   } else if (const auto* file = std::get_if<MeshFile>(&wall.shape)) {
-    const ReadMesh read = read_mesh(file->path.string());
+    RepairedMesh read = read_mesh(file->path.string());
     for (const std::string& note : read.notes) out.notes.push_back("wall " + wall.name + ": " + note);
-    made.shape = MeshShape{read.mesh.vertices, read.mesh.triangles};
-    out.pictures.push_back({std::get<MeshShape>(made.shape), number});
+    out.pictures.push_back({read.mesh, number});
+    made.shape = std::move(read.mesh);
   } else {
     const bool mantle = std::get<ProfileLiner>(wall.shape).mantle;
     const ProfileShape& shape = mantle ? out.liners->mantle : out.liners->concave;
@@ -98,7 +99,7 @@ void note_windows(Assembly& out, const Case& input) {
 LibraryRecipe recipe_of(const Case& input, const Scene& scene) {
   const CaseRocks& rocks = *input.rocks;
   LibraryRecipe recipe;
-  recipe.shapes = rocks.shapes;
+  recipe.shapes = recipe_shapes(rocks.shapes);
   recipe.sizes = rocks.sizes;
   recipe.samples = rocks.samples;
   recipe.fill = rocks.fill;
@@ -177,10 +178,10 @@ Liners liners_of(const CaseCrusher& crusher) {
 }
 
 std::optional<MeshLiners> mesh_liners(const Scene& scene) {
-  const MeshShape *concave = nullptr, *mantle = nullptr;
+  const TriangleMesh *concave = nullptr, *mantle = nullptr;
   const GyrationMotion* motion = nullptr;
   for (const Wall& wall : scene.walls) {
-    const auto* shape = std::get_if<MeshShape>(&wall.shape);
+    const auto* shape = std::get_if<TriangleMesh>(&wall.shape);
     if (wall.name == "concave" && std::holds_alternative<Fixed>(wall.motion)) concave = shape;
     if (motion != nullptr) continue;
     motion = std::get_if<GyrationMotion>(&wall.motion);
@@ -216,7 +217,7 @@ Assembly assemble(const Case& input) {
   scene.wall_impulses = input.output.liners.has_value();
   if (input.bonds) scene.bonds = bond_parameters(*input.bonds);
   if (input.rocks) {
-    out.library = blaming("rocks", [&] { return make_library(recipe_of(input, scene), default_cache_folder()); });
+    out.library = blaming("rocks", [&] { return cached_library(recipe_of(input, scene), default_cache_folder()); });
     out.notes.insert(out.notes.end(), out.library.notes.begin(), out.library.notes.end());
     out.removal_depth = 2 * largest_rock(out.library);
   }

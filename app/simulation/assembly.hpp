@@ -18,7 +18,7 @@ namespace gyro {
 
 /// A wall as a snapshot draws it.
 struct WallPicture {
-  MeshShape mesh;  ///< body frame
+  TriangleMesh mesh;  ///< body frame
   Index wall;
 };
 

@@ -5,7 +5,6 @@
 #include "app/verify/bonded.hpp"
 #include "app/verify/check.hpp"
 #include "core/fragments/product.hpp"
-#include "core/fragments/sieve_size.hpp"
 #include "core/math/random.hpp"
 
 #include <omp.h>

@@ -44,7 +44,8 @@ ImpactResult hit_wall(const WallImpact& impact, Precision precision) {
   Scene scene = scene_of(m, rigid(), impact.pair, elastic_one.duration / impact.steps_per_contact);
   if (impact.mesh) {
     const double far = 50 * impact.radius;
-    scene.walls = {{"floor", MeshShape{{{-far, -far, 0}, {far, -far, 0}, {0, 2 * far, 0}}, {{0, 1, 2}}}, Fixed{}, 1}};
+    scene.walls = {
+        {"floor", TriangleMesh{{{-far, -far, 0}, {far, -far, 0}, {0, 2 * far, 0}}, {{0, 1, 2}}}, Fixed{}, 1}};
   } else {
     scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
   }

@@ -15,7 +15,7 @@ double draw(int thing, std::uint32_t k) {
 }
 
 /// Smallest height of a triangle over its longest edge.
-double slimness(const MeshShape& mesh, const Vec3<Index>& t) {
+double slimness(const TriangleMesh& mesh, const Vec3<Index>& t) {
   const auto at = [&](Index k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
   const double longest2 = std::max({norm2(at(t.x) - at(t.y)), norm2(at(t.y) - at(t.z)), norm2(at(t.z) - at(t.x))});
   return norm(cross(at(t.y) - at(t.x), at(t.z) - at(t.x))) / longest2;
@@ -23,8 +23,8 @@ double slimness(const MeshShape& mesh, const Vec3<Index>& t) {
 
 }  // namespace
 
-MeshShape split_square(double half, int splits) {
-  MeshShape mesh{{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+TriangleMesh split_square(double half, int splits) {
+  TriangleMesh mesh{{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   for (int i = 0, done = 0; done < splits; ++i) {
     const auto t = static_cast<std::size_t>(draw(i, 0) * static_cast<double>(mesh.triangles.size()));
     const Vec3<Index> old = mesh.triangles[t];
@@ -42,8 +42,8 @@ MeshShape split_square(double half, int splits) {
   return mesh;
 }
 
-MeshShape fan(int n) {
-  MeshShape mesh{{{0, 0, 0}}, {}};
+TriangleMesh fan(int n) {
+  TriangleMesh mesh{{{0, 0, 0}}, {}};
   for (int k = 0; k < n; ++k) {
     mesh.vertices.push_back({std::cos(2 * pi * k / n), std::sin(2 * pi * k / n), 0});
     mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % n});
@@ -51,7 +51,7 @@ MeshShape fan(int n) {
   return mesh;
 }
 
-MeshShape folded(double degrees, double half) {
+TriangleMesh folded(double degrees, double half) {
   const double rise = (90 - degrees / 2) * pi / 180, x = half * std::cos(rise), z = half * std::sin(rise);
   return {{{-x, -half, z}, {0, -half, 0}, {0, half, 0}, {-x, half, z}, {x, -half, z}, {x, half, z}},
           {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}};

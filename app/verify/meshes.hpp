@@ -9,13 +9,13 @@ namespace gyro::verify {
 
 /// Square [-half, half]^2 at z = 0, split at random points: 2 + 2 x splits triangles, slivers of about 1:1000 among
 /// them.
-MeshShape split_square(double half, int splits);
+TriangleMesh split_square(double half, int splits);
 
 /// Fan of n coplanar triangles around the origin, of radius 1.
-MeshShape fan(int n);
+TriangleMesh fan(int n);
 
 /// Two half-planes that meet at x = 0: a valley whose faces enclose `degrees` where the rock is (above 180: a ridge).
-MeshShape folded(double degrees, double half);
+TriangleMesh folded(double degrees, double half);
 
 /// Hertz force of a sphere on a rigid wall [N].
 double hertz_force(const Material& material, double radius, double overlap);

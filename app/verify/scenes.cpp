@@ -40,9 +40,10 @@ Wall floor_plane() {
 }
 
 Wall floor_mesh(double half) {
-  return {"floor",
-          MeshShape{{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2}, {0, 2, 3}}},
-          Fixed{}, 1};
+  return {
+      "floor",
+      TriangleMesh{{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2}, {0, 2, 3}}},
+      Fixed{}, 1};
 }
 
 double static_overlap(double youngs, double radius, double force) {

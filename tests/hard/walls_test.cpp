@@ -10,8 +10,8 @@ using namespace gyro::test;
 namespace {
 
 /// A square sheet at height z, `cells` x `cells` squares of two triangles.
-MeshShape sheet(double half, int cells, double z = 0) {
-  MeshShape mesh;
+TriangleMesh sheet(double half, int cells, double z = 0) {
+  TriangleMesh mesh;
   for (int j = 0; j <= cells; ++j)
     for (int i = 0; i <= cells; ++i)
       mesh.vertices.push_back({half * (2.0 * i / cells - 1), half * (2.0 * j / cells - 1), z});
@@ -121,7 +121,7 @@ TEST_CASE("H6 a sheet or liner that sweeps too fast for the step is stopped", "[
   const double speed = way * radius / scene.dt;
   Wall wall{"sheet", sheet(0.1, 8, -0.02), LinearMotion{{0, 0, speed}}, 1};
   if (kind == 1) {  // a paddle whose far edge is the fastest
-    wall.shape = MeshShape{{{0, 0, -1}, {0.2, 0, -1}, {0.2, 0, 1}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+    wall.shape = TriangleMesh{{{0, 0, -1}, {0.2, 0, -1}, {0.2, 0, 1}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
     wall.motion = RotationMotion{{0, 0, 1}, {0, 0, 0}, speed / std::sqrt(0.04 + 1)};  // extent: the farthest corner
   }
   if (kind == 2) {
@@ -161,9 +161,9 @@ TEST_CASE("H7 beds on both sides of a thin plate do not feel each other", "[hard
     scene.pairs.assign(4, {0.5, 0.3, 0.01});
     scene.rolling = true;
     scene.walls = box({0.06, 0.06, 0.2});
-    MeshShape plate = sheet(0.1, 11, thick / 2);
+    TriangleMesh plate = sheet(0.1, 11, thick / 2);
     if (thick > 0) {
-      const MeshShape back = sheet(0.1, 7, -thick / 2);
+      const TriangleMesh back = sheet(0.1, 7, -thick / 2);
       const auto shift = static_cast<Index>(plate.vertices.size());
       plate.vertices.insert(plate.vertices.end(), back.vertices.begin(), back.vertices.end());
       for (const Vec3<Index>& t : back.triangles) plate.triangles.push_back({t.x + shift, t.z + shift, t.y + shift});
@@ -212,7 +212,7 @@ TEST_CASE("H21 H22 a floor of bad triangles is the floor", "[hard]") {
     scene.gravity = {0, 0, -9.81};
     scene.pairs.assign(4, {0.4, 0.5, 0.01});
     scene.rolling = true;
-    MeshShape floor = sheet(1, 2);
+    TriangleMesh floor = sheet(1, 2);
     if (bad) {
       floor = sheet(1, 6);
       const auto corner = [&](double x, double y) {

@@ -83,7 +83,7 @@ TEST_CASE("Walls feel the opposite of what the rock feels", "[dem][ledger]") {
 TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][walls]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 5e-6;
-  MeshShape mesh{{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  TriangleMesh mesh{{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   ProfileShape profile{{{0, 0}, {0.7, 0}, {3, 0}}};
   ParticleSnapshot first;
   WallLoad first_load;

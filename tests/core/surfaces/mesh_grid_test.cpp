@@ -16,7 +16,7 @@ double draw(std::uint32_t thing, std::uint32_t k) {
 }
 
 /// Smallest height of a triangle over its longest edge.
-double slimness(const MeshShape& mesh, const Vec3<Index>& t) {
+double slimness(const TriangleMesh& mesh, const Vec3<Index>& t) {
   const auto at = [&](Index k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
   const double longest2 = std::max({norm2(at(t.x) - at(t.y)), norm2(at(t.y) - at(t.z)), norm2(at(t.z) - at(t.x))});
   return norm(cross(at(t.y) - at(t.x), at(t.z) - at(t.x))) / longest2;
@@ -24,8 +24,8 @@ double slimness(const MeshShape& mesh, const Vec3<Index>& t) {
 
 /// Square [-1, 1]^2 at z = 0, split at random points, slivers of about 1:1000 among the triangles. Triangles
 /// slimmer than `slimmest` are not split again.
-MeshShape split_square(int splits, double slimmest = 0.01) {
-  MeshShape mesh{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+TriangleMesh split_square(int splits, double slimmest = 0.01) {
+  TriangleMesh mesh{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   for (int i = 0; i < splits; ++i) {
     const auto n = static_cast<std::uint32_t>(i);
     const auto t = static_cast<std::size_t>(draw(n, 0) * static_cast<double>(mesh.triangles.size()));
@@ -44,7 +44,7 @@ MeshShape split_square(int splits, double slimmest = 0.01) {
   return mesh;
 }
 
-MeshShape turned(MeshShape mesh, const Quatd& q, const Vec3d& shift) {
+TriangleMesh turned(TriangleMesh mesh, const Quatd& q, const Vec3d& shift) {
   for (Vec3d& v : mesh.vertices) v = shift + rotate(q, v);
   return mesh;
 }
@@ -60,7 +60,7 @@ void check_plane(const MeshGrid& mesh, const Vec3d& centre, double radius, const
 }  // namespace
 
 TEST_CASE("M1: the same on vertices and edges, and in any attitude") {
-  const MeshShape flat = split_square(200);
+  const TriangleMesh flat = split_square(200);
   // Rounding of the turned corners tilts a triangle by about 2^-52 / height.
   double height = 1;
   for (const Vec3<Index>& t : flat.triangles) {
@@ -96,8 +96,8 @@ TEST_CASE("M1: the same on vertices and edges, and in any attitude") {
 
 TEST_CASE("H7: a plate of two faces shows each side its own face only") {
   const double thick = 0.004;
-  MeshShape plate = split_square(50);
-  const MeshShape below = turned(split_square(30), {1, 0, 0, 0}, {0, 0, -thick});
+  TriangleMesh plate = split_square(50);
+  const TriangleMesh below = turned(split_square(30), {1, 0, 0, 0}, {0, 0, -thick});
   const auto shift = static_cast<Index>(plate.vertices.size());
   plate.vertices.insert(plate.vertices.end(), below.vertices.begin(), below.vertices.end());
   for (const Vec3<Index>& t : below.triangles) plate.triangles.push_back({t.x + shift, t.y + shift, t.z + shift});
@@ -107,7 +107,7 @@ TEST_CASE("H7: a plate of two faces shows each side its own face only") {
 }
 
 TEST_CASE("H21: degenerate and repeated triangles go, NaN is refused") {
-  MeshShape mesh = split_square(40);
+  TriangleMesh mesh = split_square(40);
   mesh.triangles.push_back({0, 0, 1});
   mesh.triangles.push_back({mesh.triangles[3].y, mesh.triangles[3].x, mesh.triangles[3].z});
   mesh.vertices.push_back({0, -1, 0});  // on the edge from vertex 0 to 1
@@ -124,7 +124,7 @@ TEST_CASE("H21: degenerate and repeated triangles go, NaN is refused") {
 }
 
 TEST_CASE("H22: needles, huge triangles and outliers keep lists short and touches right") {
-  MeshShape mesh = split_square(2000);
+  TriangleMesh mesh = split_square(2000);
   const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const auto n = static_cast<Index>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
@@ -143,7 +143,7 @@ TEST_CASE("H22: needles, huge triangles and outliers keep lists short and touche
 }
 
 TEST_CASE("mesh: grid, list and all triangles give the same bits, in any order") {
-  MeshShape mesh = split_square(300);
+  TriangleMesh mesh = split_square(300);
   for (Vec3d& v : mesh.vertices) v.z = 0.2 * v.x * v.x - 0.3 * v.y * v.y + 0.05 * std::sin(20 * v.x);
   const MeshGrid grid(mesh);
   std::vector<Index> all(grid.triangles().size());
