@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/index_range.hpp"
+#include "core/exec/block_launch.hpp"
 #include "core/exec/phase_timer.hpp"
-#include "core/kernels/bond_forces.hpp"
-#include "core/kernels/bond_lane.hpp"
-#include "core/kernels/wall_forces.hpp"
-#include "core/state/bonds.hpp"
 #include "gpu/sort_scan.hpp"
 
 #include <type_traits>
@@ -18,37 +16,38 @@ namespace gyro {
 
 inline constexpr int threads_per_block = 128, warp = 32;
 
-/// Thread blocks that must fit on a multiprocessor at once: 4 lets a thread have 128 registers, which
-/// most kernels do with; with it these would spill (scripts/kernel_report.py).
+/// Thread blocks that must fit on a multiprocessor at once: 4 lets a thread have 128 registers, which most kernels do
+/// with. A kernel that would spill (scripts/kernel_report.py) has a member blocks_at_once that asks for fewer.
 template <class Kernel>
-inline constexpr int blocks_at_once = 4;
-template <>
-inline constexpr int blocks_at_once<BondForces<double>> = 2;
-template <class Real, bool held>
-inline constexpr int blocks_at_once<WallForces<Real, held>> = 2;
+constexpr int blocks_at_once() {
+  if constexpr (requires { Kernel::blocks_at_once; })
+    return Kernel::blocks_at_once;
+  else
+    return 4;
+}
 
 inline constexpr Index reduce_chunk = 1024;  // as on the CPU: sums are added in the same order
 inline constexpr Index reduce_tile = 32;
 
 template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>)
+__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
     run_each(Index n, const __grid_constant__ Kernel kernel) {
   const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
   if (i < n) kernel(i);
 }
 
-/// One thread block a rock, colour by colour: a particle's bonds are added in the order of the CPU.
+/// One thread block for each block of the kernel, colour by colour: items are added to rows in the order of the CPU.
 template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>)
-    run_blocks(const Block* blocks, const Index* colour_begin, const __grid_constant__ Kernel kernel) {
+__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
+    run_blocks(const __grid_constant__ Kernel kernel) {
   const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
               me = static_cast<Index>(threadIdx.x);
-  const Index end_particle = blocks[k].end_particle, end_colour = blocks[k].end_colour;
-  for (Index p = blocks[k].first_particle + me; p < end_particle; p += step) kernel.clear(p);
+  const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
+  for (Index row = rows.begin + me; row < rows.end; row += step) kernel.clear(row);
   __syncthreads();
-  for (Index c = blocks[k].first_colour; c + 1 < end_colour; ++c) {
-    const Index end = colour_begin[c + 1];
-    for (Index b = colour_begin[c] + me; b < end; b += step) kernel(OneLane{b}, k);
+  for (Index c = colours.begin; c < colours.end; ++c) {
+    const IndexRange items = kernel.items_of_colour(c);
+    for (Index item = items.begin + me; item < items.end; item += step) kernel(typename Kernel::Lane{item}, k);
     __syncthreads();
   }
 }
@@ -106,14 +105,14 @@ class Cuda {
 
   /// A colour is one pass of the block's threads: more of them than a colour has bonds would only wait.
   template <class Kernel>
-  void for_each_block(const char* label, const BlockList& list, const Kernel& kernel) {
+  void for_each_block(const char* label, const BlockLaunch& launch, const Kernel& kernel) {
     static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
-    if (list.count == 0) return;
+    if (launch.blocks == 0) return;
     const PhaseTimer::Mark mark = timer_.begin(label);
-    const unsigned threads = list.colour_size <= warp       ? warp
-                             : list.colour_size <= 2 * warp ? 2 * warp
-                                                            : threads_per_block;
-    run_blocks<<<static_cast<unsigned>(list.count), threads>>>(list.blocks, list.colour_begin, kernel);
+    const unsigned threads = launch.colour_size <= warp       ? warp
+                             : launch.colour_size <= 2 * warp ? 2 * warp
+                                                              : threads_per_block;
+    run_blocks<<<static_cast<unsigned>(launch.blocks), threads>>>(kernel);
     finish(label, mark);
   }
 

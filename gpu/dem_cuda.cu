@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/dem/dem_solver_impl.hpp"
+#include "core/dem/solver.hpp"
 #include "gpu/cuda.cuh"
 #include "gpu/make_cuda_dem.hpp"
 

@@ -5,9 +5,8 @@
 
 namespace gyro {
 
-/// Dry friction of one bearing: torque = friction radius (idle_force + force of the rock on it).
-/// idle_force stands for weight and unbalance, which are there without rock; the sum of the two sizes
-/// is an upper bound for the size of their sum.
+/// Dry friction of one bearing: torque = friction radius (idle_force + force of the rock on it). idle_force stands for
+/// weight and unbalance, which act without rock. Adding the magnitudes of both is an upper bound for that of their sum.
 struct Bearing {
   double friction = 0;    ///< coefficient, >= 0 [-]
   double radius = 0;      ///< of the sliding surface, >= 0 [m]
@@ -25,18 +24,19 @@ struct Bearings {
   double tilt_sine = 0;  ///< sin b = eccentricity / pivot height [-]
 };
 
-/// Forces that the rock brings upon the bearings [N].
+/// Forces of the rock on the bearings [N].
 struct BearingForces {
   double bushing = 0;  ///< eccentric's bushings, inner and outer alike
-  double spider = 0;   ///< across the mantle's axis; the piston below takes what goes along it
+  double spider = 0;   ///< across the mantle's axis; the piston below carries what acts along it
 };
 
 /// Statics of the mantle, hung at the pivot and held by the bushing at -depth u:
 ///   R = M x u / depth,   bushing = |R|,   spider = |F + R - ((F + R) . u) u|
-/// @param force, moment  of the rock on the mantle, the moment about the pivot
+/// World frame, at one moment. Source: equilibrium of the mantle without its inertia.
+/// @param force, torque  of the rock on the mantle [N], about the pivot [N m]
 /// @param axis           u, of the mantle, pointing up
-inline BearingForces bearing_forces(const Vec3d& force, const Vec3d& moment, const Vec3d& axis, double depth) {
-  const Vec3d at_bushing = (1 / depth) * cross(moment, axis);
+inline BearingForces bearing_forces(const Vec3d& force, const Vec3d& torque, const Vec3d& axis, double depth) {
+  const Vec3d at_bushing = (1 / depth) * cross(torque, axis);
   const Vec3d rest = force + at_bushing;
   return {norm(at_bushing), norm(rest - dot(rest, axis) * axis)};
 }

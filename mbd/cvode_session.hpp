@@ -11,10 +11,9 @@ namespace gyro {
 /// Integrates one small system of ordinary differential equations, dy/dt = f(y), with CVODE (variable
 /// order BDF, Newton, dense difference Jacobian).
 ///
-/// Every integration starts anew with order one and a first step that is a fixed share of the
-/// interval: CVODE's history cannot be saved, so a run that goes on from a checkpoint could not
-/// repeat the bits of one that never stopped if history were kept. The price is some 50 evaluations
-/// of f an interval.
+/// Every integration restarts at order one with a first step that is a fixed share of the interval: CVODE's history
+/// cannot be saved, so with history a resumed run could not repeat the bits of one that was not interrupted. The price
+/// is some 50 evaluations of f per interval.
 class CvodeSession {
  public:
   /// Writes f(y) into `rate`.

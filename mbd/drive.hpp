@@ -22,28 +22,28 @@ struct ShaftMotion {
   SwitchState motor{};
 };
 
-/// What the drive did in an interval.
-struct ShaftTurn {
-  double angle = 0;                ///< turned by the eccentric [rad]
-  double spun = 0;                 ///< by the mantle about its own axis [rad]
-  double motor_angle = 0;          ///< by the motor [rad]
+/// What changed in an interval.
+struct ShaftAdvance {
+  double angle = 0;                ///< by which the eccentric turned [rad]
+  double spin_angle = 0;           ///< by which the mantle turned about its own axis [rad]
+  double motor_angle = 0;          ///< by which the motor turned [rad]
   double speed_change = 0;         ///< of the eccentric [rad/s]
   double motor_impulse = 0;        ///< integral of the motor's torque over time, at its shaft [N m s]
   double motor_work = 0;           ///< of the motor on its shaft [J]
   double loss_work = 0;            ///< in bushings, bearings, gear, coupling and brake [J]
   double kinetic_gain = 0;         ///< of kinetic energy, and of the coupling spring's [J]
-  double stopped_after = -1;       ///< time at which forward motion came to a halt [s]; < 0 when it did not
+  double stopped_after = -1;       ///< time at which forward motion came to a halt [s]; < 0: it did not
   std::vector<DriveEvent> events;  ///< in order; times since the start of the run
 };
 
-/// What a drive can say of itself. A foreign one may know less than the built-in.
+/// Which quantities a drive can give. An FMU may give fewer than the built-in drive.
 struct DriveKnowledge {
   bool motor_speed = true, motor_torque = true, motor_power = true;
   bool accounts = true;  ///< motor work, losses and kinetic energy, so that the exchange can be judged
 };
 
-/// What turns the mantle and takes the rock's torque: the built-in Shaft, or an FMU (mbd/fmi). Virtual, as it is asked
-/// twice a window only.
+/// The machine that moves the mantle against the rock's torque: the built-in Shaft, or an FMU (mbd/fmi). Called twice
+/// per window, so that virtual calls cost nothing.
 class Drive {
  public:
   Drive() = default;
@@ -54,14 +54,15 @@ class Drive {
   virtual ShaftMotion start() const = 0;   ///< motion at time 0
   virtual double start_angle() const = 0;  ///< of the eccentric at time 0 [rad]
 
-  /// What turn() would do: changes `motion` and nothing else.
-  virtual ShaftTurn preview(double duration, const ShaftLoad& load, ShaftMotion& motion) = 0;
-  /// Goes on by `duration` > 0 [s] under a constant load; changes `motion`, which must be as the last turn left it.
+  /// What advance() would return. Changes `motion` and nothing else.
+  virtual ShaftAdvance preview(double duration, const ShaftLoad& load, ShaftMotion& motion) = 0;
+  /// Advances by `duration` > 0 [s] under a constant load.
+  /// @param motion  as the last advance() left it; changed to that at the end
   /// @throws StoppedByGuard when the drive cannot be integrated
-  virtual ShaftTurn turn(double duration, const ShaftLoad& load, ShaftMotion& motion) = 0;
+  virtual ShaftAdvance advance(double duration, const ShaftLoad& load, ShaftMotion& motion) = 0;
 
-  virtual double energy(const ShaftMotion& motion) const = 0;  ///< of all that turns, and of springs [J]
-  virtual double motor_speed(const ShaftMotion& motion) const = 0;
+  virtual double energy(const ShaftMotion& motion) const = 0;       ///< kinetic, and of springs [J]
+  virtual double motor_speed(const ShaftMotion& motion) const = 0;  ///< [rad/s]
   /// At the motor's shaft [N m].
   virtual double motor_torque_now(const ShaftMotion& motion, const ShaftLoad& load) const = 0;
   virtual double idle_speed() const = 0;                 ///< of the eccentric without rock [rad/s]
@@ -72,9 +73,9 @@ class Drive {
   virtual std::string unsaveable() const { return {}; }
   /// State beyond ShaftMotion.
   virtual std::vector<std::uint8_t> save() const { return {}; }
-  /// @throws BadInput for what it did not save
+  /// @throws BadInput for the state of another drive
   virtual void restore(std::span<const std::uint8_t>) {}
-  /// What it has to say to the user since it was asked last.
+  /// Messages for the user since the last call.
   virtual std::vector<std::string> take_notes() { return {}; }
 };
 

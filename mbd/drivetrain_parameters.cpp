@@ -11,10 +11,6 @@
 namespace gyro {
 namespace {
 
-double no_load_speed(const Motor& motor) {
-  return std::visit([](const auto& law) { return law.no_load_speed(); }, motor);
-}
-
 /// Torque of the motor less the losses, at the eccentric, without rock, while it turns forward [N m].
 double idle_surplus(const DrivetrainParameters& parameters, double motor_speed) {
   const double at_motor = motor_torque(parameters.motor, motor_speed, parameters.voltage.at(0));
@@ -23,7 +19,7 @@ double idle_surplus(const DrivetrainParameters& parameters, double motor_speed) 
          idle_mantle(parameters).torque;
 }
 
-/// Halves [driving, braking] until neighbouring numbers are left.
+/// Speed of zero surplus in [driving, braking], to the last bit, by bisection.
 double zero_surplus(const DrivetrainParameters& parameters, double driving, double braking) {
   for (;;) {
     const double middle = driving + (braking - driving) / 2;
@@ -44,44 +40,46 @@ void check_bearings(const DrivetrainParameters& p) {
   bool any = false;
   for (const Bearing* bearing : {&p.bearings.outer, &p.bearings.inner, &p.bearings.spider}) {
     require(at_least_zero(bearing->friction) && at_least_zero(bearing->radius) && at_least_zero(bearing->idle_force),
-            "a bearing's friction, radius or idle_force is negative or not a number; accepted are numbers >= 0");
+            "a bearing's friction, radius or idle_force is negative or not a number; they must be numbers >= 0");
     any = any || bearing->friction > 0;
   }
-  require(!any || (std::isfinite(p.bearings.depth) && p.bearings.depth > 0),
-          "the bearings have friction, but the depth of the bushings below the pivot is not > 0; accepted is a length");
-  require(p.bearings.tilt_sine >= 0 && p.bearings.tilt_sine < 1, "the tilt of the mantle is outside [0, 1)");
-  require(at_least_zero(p.mantle_inertia), "mantle inertia is negative or not a number; accepted is a number >= 0");
+  require(
+      !any || (std::isfinite(p.bearings.depth) && p.bearings.depth > 0),
+      "the bearings have friction, but the depth of the bushings below the pivot is not > 0; it must be a length > 0");
+  require(p.bearings.tilt_sine >= 0 && p.bearings.tilt_sine < 1,
+          "the sine of the mantle's tilt is outside [0, 1); it is eccentricity / pivot height");
+  require(at_least_zero(p.mantle_inertia), "mantle inertia is negative or not a number; it must be a number >= 0");
 }
 
 void check_supply(const DrivetrainParameters& p) {
   const VoltageInput& v = p.voltage;
-  require(v.times.size() == v.ratios.size(), "the voltage has not as many ratios as times");
-  require(std::ranges::all_of(v.ratios, at_least_zero), "a voltage is negative or not a number; accepted is >= 0");
-  require(v.times.empty() || v.times.front() == 0,
-          "the voltage does not begin at time 0; accepted is a first time of 0");
+  require(v.times.size() == v.ratios.size(), "the voltage has not as many ratios as times; give one ratio per time");
+  require(std::ranges::all_of(v.ratios, at_least_zero), "a voltage is negative or not a number; it must be >= 0");
+  require(v.times.empty() || v.times.front() == 0, "the voltage does not begin at time 0; its first time must be 0");
   require(std::ranges::adjacent_find(v.times, [](double a, double b) { return !(a < b); }) == v.times.end(),
-          "the times of the voltage do not increase; accepted is each time after the one before");
+          "the times of the voltage do not increase; each must be later than the one before");
   const bool ideal = std::holds_alternative<ConstantSpeedMotor>(p.motor);
-  require(!ideal || v.times.empty(), "a constant-speed motor has no voltage; accepted is another motor, or none");
+  require(!ideal || v.times.empty(),
+          "a constant-speed motor has no voltage; use another motor, or leave the voltage out");
   require(!ideal || p.spring.stiffness == 0,
-          "a constant-speed motor has no coupling spring; accepted is another motor");
+          "a constant-speed motor has no coupling spring; use another motor, or leave the spring out");
   require(at_least_zero(p.spring.stiffness) && at_least_zero(p.spring.damping),
-          "the coupling spring is negative or not a number; accepted are numbers >= 0");
+          "the coupling spring is negative or not a number; they must be numbers >= 0");
   require(p.spring.stiffness == 0 || (p.motor_inertia > 0 && p.eccentric_inertia > 0),
-          "a coupling spring needs an inertia on either side; accepted are inertias of motor and eccentric > 0");
+          "a coupling spring needs an inertia on either side; the inertias of motor and eccentric must be > 0");
 }
 
 void check_protection(const DrivetrainParameters& p) {
   const ProtectionParameters& r = p.protection;
   if (!r.any()) return;
   require(!std::holds_alternative<ConstantSpeedMotor>(p.motor),
-          "a constant-speed motor has no relays; accepted is another motor, or no protection");
+          "a constant-speed motor has no relays; use another motor, or leave the protection out");
   for (const double value :
        {r.overload_time, r.instantaneous_ratio, r.under_speed_delay, r.brake_torque, r.restart_delay, r.rated_torque})
-    require(at_least_zero(value), "a value of the protection is negative or not a number; accepted is >= 0");
+    require(at_least_zero(value), "a value of the protection is negative or not a number; it must be >= 0");
   require(std::isfinite(r.overload_ratio) && r.overload_ratio > 0, "overload_ratio is not > 0; usual is 1.05");
-  require(r.under_speed >= 0 && r.under_speed < 1, "under_speed is outside [0, 1); accepted is e.g. 0.5");
-  require(r.restarts >= 0, "restarts is negative; accepted is 0 or more");
+  require(r.under_speed >= 0 && r.under_speed < 1, "under_speed is outside [0, 1); a usual value is 0.5");
+  require(r.restarts >= 0, "restarts is negative; it must be >= 0");
   require((r.overload_time == 0 && r.instantaneous_ratio == 0) || p.rated_motor_torque() > 0,
           "relays that look at the current need the rated_torque of a motor without a name plate");
 }
@@ -108,14 +106,13 @@ IdleMantle idle_mantle(const DrivetrainParameters& p) {
   const double cosine = std::sqrt((1 - sine) * (1 + sine));
   if (!(p.mantle_inertia > 0)) return {0, -1, outer + inner * cosine + spider * sine};
   if (inner >= spider * cosine) return {cosine, 0, outer + spider};
-  // It lags until the spider's share about the mantle's axis is what the bushing passes on.
+  // The mantle lags: the spider's torque about its axis is what the bushing passes on.
   const double share = inner / spider, across = std::sqrt(1 - share * share);
   return {sine * share / across, -1, outer + inner * cosine + spider * sine * across};
 }
 
 Losses DrivetrainParameters::eccentric_losses() const {
-  const double rated = std::visit([](const auto& law) { return law.rated_speed(); }, motor);
-  return {losses, rated / gear_ratio};
+  return {losses, rated_speed(motor) / gear_ratio};
 }
 
 double idle_speed(const DrivetrainParameters& parameters) {
@@ -132,23 +129,23 @@ double idle_speed(const DrivetrainParameters& parameters) {
     braking = speed;
   }
   throw BadInput(
-      "drivetrain: the losses without rock are more than the motor can carry at any speed; accepted are "
-      "losses below the motor's largest torque");
+      "drivetrain: the losses without rock are more than the motor can carry at any speed; reduce them "
+      "below the motor's largest torque");
 }
 
 void check_drivetrain(const DrivetrainParameters& parameters) {
   const DrivetrainParameters& p = parameters;
   check_motor(p.motor);
-  require(std::isfinite(p.gear_ratio) && p.gear_ratio > 0, "gear_ratio is not > 0; accepted is a number > 0");
-  require(p.gear_efficiency > 0 && p.gear_efficiency <= 1, "gear_efficiency is outside (0, 1]; accepted is e.g. 0.96");
-  require(at_least_zero(p.motor_inertia), "motor inertia is negative or not a number; accepted is a number >= 0");
+  require(std::isfinite(p.gear_ratio) && p.gear_ratio > 0, "gear_ratio is not > 0; it must be a number > 0");
+  require(p.gear_efficiency > 0 && p.gear_efficiency <= 1, "gear_efficiency is outside (0, 1]; a usual value is 0.96");
+  require(at_least_zero(p.motor_inertia), "motor inertia is negative or not a number; it must be a number >= 0");
   require(at_least_zero(p.eccentric_inertia),
-          "eccentric inertia is negative or not a number; accepted is a number >= 0");
-  require(p.effective_inertia() > 0, "all inertias are 0; accepted is a sum > 0");
-  require(at_least_zero(p.losses.no_load_power), "no_load is negative or not a number; accepted is a power >= 0");
-  require(at_least_zero(p.losses.load_factor), "load_factor is negative or not a number; accepted is a number >= 0");
-  require(at_least_zero(p.losses.viscous), "viscous is negative or not a number; accepted is a number >= 0");
-  require(std::isfinite(p.start_angle), "start angle is not a number; accepted is a finite angle");
+          "eccentric inertia is negative or not a number; it must be a number >= 0");
+  require(p.effective_inertia() > 0, "all inertias are 0; their sum must be > 0");
+  require(at_least_zero(p.losses.no_load_power), "no_load is negative or not a number; it must be a power >= 0");
+  require(at_least_zero(p.losses.load_factor), "load_factor is negative or not a number; it must be a number >= 0");
+  require(at_least_zero(p.losses.viscous), "viscous is negative or not a number; it must be a number >= 0");
+  require(std::isfinite(p.start_angle), "the start angle is not a number; it must be finite");
 
   check_bearings(p);
   check_supply(p);
@@ -158,10 +155,10 @@ void check_drivetrain(const DrivetrainParameters& parameters) {
   if (p.start == DrivetrainStart::running) {
     idle_speed(p);
   } else {
-    require(!ideal, "a constant-speed motor cannot start from rest; accepted is start: running");
+    require(!ideal, "a constant-speed motor cannot start from rest; use start: running");
     require(idle_surplus(p, 0) > 0,
-            "the motor's torque at standstill is not above the losses, so it would never start; accepted are smaller "
-            "losses, a motor curve with more starting torque, or start: running");
+            "the motor's torque at standstill is not above the losses, so it would never start; use "
+            "smaller losses, a motor with more starting torque, or start: running");
   }
 }
 

@@ -11,8 +11,8 @@ namespace gyro {
 
 /// How the machine is at time 0.
 enum class DrivetrainStart {
-  running,  ///< turns at the speed where the motor just carries the losses without rock
-  rest      ///< stands still; the motor is switched on at time 0
+  running,  ///< at idle_speed(), where the motor just carries the losses without rock
+  rest      ///< at standstill; the motor is switched on at time 0
 };
 
 /// Compliance between motor and pinion. stiffness 0: a rigid shaft.
@@ -21,8 +21,8 @@ struct CouplingSpring {
   double damping = 0;    ///< likewise, >= 0 [N m s/rad]
 };
 
-/// Supply of the motor / rated voltage over time: straight between the points, the last one goes on.
-/// Without points it is 1.
+/// Supply of the motor / rated voltage over time: linear between the points, constant after the last. Without points it
+/// is 1.
 struct VoltageInput {
   std::vector<double> times;   ///< increasing, the first 0 [s]
   std::vector<double> ratios;  ///< as many, >= 0 [-]
@@ -31,7 +31,7 @@ struct VoltageInput {
   bool changes() const { return times.size() > 1; }
 };
 
-/// Everything the drivetrain is told by the user. SI units, angles in rad.
+/// All parameters of the drivetrain, in SI units, angles in rad.
 struct DrivetrainParameters {
   Motor motor{};
   double gear_ratio = 1;         ///< motor speed / eccentric speed, > 0 [-]
@@ -53,11 +53,11 @@ struct DrivetrainParameters {
   Transmission transmission() const { return {gear_ratio, gear_efficiency}; }
   /// The losses as torques, with T_0 = no_load_power / (rated motor speed / i).
   Losses eccentric_losses() const;
-  /// Of the name plate, or as said for the relays [N m].
+  /// Of the name plate, or the one given for the relays [N m].
   double rated_motor_torque() const;
 };
 
-/// How the mantle turns in the idle crusher, and what its bearings take: closed form.
+/// Rotation of the mantle in the idle crusher and the torque of its bearings, in closed form.
 struct IdleMantle {
   double spin_ratio = 0;  ///< sigma / w [-]
   int slip = 0;           ///< 0: dragged along with the eccentric; -1: lags
@@ -69,8 +69,8 @@ IdleMantle idle_mantle(const DrivetrainParameters& parameters);
 /// @throws BadInput when the losses are more than the motor can carry
 double idle_speed(const DrivetrainParameters& parameters);
 
-/// @throws BadInput when a value is out of its range, or the machine could not start as asked: the
-/// losses are too large for the motor, or rest is asked of a constant-speed motor
+/// @throws BadInput when a value is out of its range, or the machine cannot start as asked: the losses are too large
+/// for the motor, or a constant-speed motor is to start from rest
 void check_drivetrain(const DrivetrainParameters& parameters);
 
 }  // namespace gyro

@@ -7,7 +7,7 @@
 namespace gyro {
 namespace {
 
-/// Whether a deadline has come, but for the rounding of sums of leg durations.
+/// Whether a deadline has come, up to the rounding of sums of leg durations.
 bool reached(double now, double deadline) {
   return now >= deadline - 1e-12 * std::max(1.0, deadline);
 }
@@ -88,7 +88,7 @@ void Protection::settle(SwitchState& state, double now, double current, double s
     happened.push_back({now, p_.restart_reversed ? DriveEventKind::reversed_restart : DriveEventKind::restart});
     state.restart_at = -1;
     ++state.restarts;
-    return;  // the current of the motor that is on again is seen in the next call
+    return;  // the next call looks at the current of the motor, which is on now
   }
   if (state.sense == 0) return;
   follow_speed(state, now, speed, fired[crossed_slow]);

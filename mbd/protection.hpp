@@ -9,7 +9,7 @@
 
 namespace gyro {
 
-/// Relays that switch the motor off, and what comes after. 0 switches a relay off.
+/// Relays that switch the motor off, and what happens then. A relay whose first value is 0 does not exist.
 struct ProtectionParameters {
   /// Inverse-time: thermal image h of the motor, overload_time dh/dt = (I/In)^2 - h, trips at h = overload_ratio^2
   /// (IEC 60255-149). A cold motor at current I trips after overload_time ln(I^2 / (I^2 - overload_ratio^2)).
@@ -27,7 +27,7 @@ struct ProtectionParameters {
   bool any() const { return overload_time > 0 || instantaneous_ratio > 0 || under_speed > 0; }
 };
 
-/// Things that happen to a drive.
+/// Events of a drive.
 enum class DriveEventKind {
   stall = 1,           ///< came to a halt although the motor drove it
   turned_back,         ///< the rock turned it against its motor
@@ -38,18 +38,18 @@ enum class DriveEventKind {
   restart,             ///< motor on again, same sense
   reversed_restart,    ///< motor on again, other sense
   held,                ///< at rest between rock and motor, after the rock had turned it back
-  trip                 ///< motor off, for a reason that a foreign drive does not say
+  trip                 ///< motor off, for a reason that an FMU does not give
 };
 
 struct DriveEvent {
-  double time;  ///< [s], from the start of the interval or of the run, as said by who gives it
+  double time;  ///< since the start of the run [s]
   DriveEventKind kind;
 };
 
 /// "overload trip", for logs and summaries.
 std::string to_string(DriveEventKind kind);
 
-/// State of motor switch and relays. Plain numbers, saved with the drivetrain.
+/// State of motor switch and relays.
 struct SwitchState {
   double sense = 1;        ///< +1 drives forward, -1 backward, 0 off
   double last_sense = 1;   ///< the one before it was switched off
@@ -58,9 +58,21 @@ struct SwitchState {
   double slow_since = -1;  ///< [s]; < 0: not slow
   double restart_at = -1;  ///< [s]; < 0: no restart is due
   double restarts = 0;     ///< so far
+
+  /// Calls f(name, field) for every field, to be read or filled.
+  template <class F, class S>
+  static constexpr void for_each_field(F&& f, S& s) {
+    f("sense", s.sense);
+    f("last_sense", s.last_sense);
+    f("heat", s.heat);
+    f("armed", s.armed);
+    f("slow_since", s.slow_since);
+    f("restart_at", s.restart_at);
+    f("restarts", s.restarts);
+  }
 };
 
-/// The relays as events of the equation of motion, and what a switch does.
+/// The relays: their limits as roots of the equation of motion, and what they do.
 class Protection {
  public:
   enum Event { too_hot, too_much_current, crossed_slow, events };
@@ -72,12 +84,12 @@ class Protection {
   double heat_rate(double current, double heat) const { return (current * current - heat) / p_.overload_time; }
   double brake_torque(const SwitchState& state) const { return state.sense == 0 ? p_.brake_torque : 0; }
 
-  /// Values whose zeros end a leg; 1 where a relay does not watch. @param speed  of the eccentric [rad/s]
+  /// Values whose roots end a leg; 1 where a relay does not watch. @param speed  of the eccentric [rad/s]
   void watch(const SwitchState& state, double current, double heat, double speed, std::span<double> values) const;
-  /// The moment at which the switch acts by the clock, or infinity [s].
+  /// The next time at which the switch acts by the clock, or infinity [s].
   double next_deadline(const SwitchState& state) const;
-  /// Acts on what is due at a moment between two legs.
-  /// @param fired  which Event has ended the leg before; all false at the begin of an interval
+  /// Switches what is due, between two legs.
+  /// @param fired  which Event has ended the last leg; all false at the start of an interval
   void settle(SwitchState& state, double now, double current, double speed, const std::array<bool, events>& fired,
               std::vector<DriveEvent>& happened) const;
 

@@ -9,10 +9,10 @@
 namespace gyro {
 namespace {
 
-// Unknowns of one leg that every drive has. All are gains since its start, so that the tolerance is relative to
-// the small change in an interval and neither to the speed nor to an angle that grows for ever. The
-// integrals ride along, so that the energy balance is as good as the solution.
-enum Unknown { turned, speed_gain, motor_impulse, motor_work, loss_work, unknowns };
+// Unknowns of one leg that every drive has. All are gains since its start, so that the tolerance is relative to the
+// small change in an interval, not to the speed or to an angle that grows for ever. The works are unknowns as well, so
+// that the energy balance is as accurate as the solution.
+enum Unknown { angle_gain, speed_gain, motor_impulse, motor_work, loss_work, unknowns };
 
 // rad, rad/s, N m s, J, J: each some 1e-10 of what a window of 0.5 ms brings in a large crusher
 constexpr std::array<double, unknowns> absolute_tolerance{1e-13, 1e-13, 1e-9, 1e-8, 1e-8};
@@ -21,8 +21,8 @@ constexpr double optional_tolerance = 1e-13;  // rad, rad/s, 1, s
 constexpr int max_legs = 100;           // stick and slip, trips and restarts of one interval
 constexpr double shortest_leg = 1e-12;  // [s]
 
-double gain(std::span<const double> y, int place) {
-  return place < 0 ? 0 : y[static_cast<std::size_t>(place)];
+double gain(std::span<const double> y, int index) {
+  return index < 0 ? 0 : y[static_cast<std::size_t>(index)];
 }
 
 int sign(double value) {
@@ -33,7 +33,7 @@ int sign(double value) {
 
 Shaft::Layout::Layout(const DrivetrainParameters& parameters) : size(unknowns) {
   if (parameters.mantle_inertia > 0) {
-    spun = size++;
+    spin_angle = size++;
     spin_gain = size++;
   }
   if (parameters.spring.stiffness > 0) {
@@ -99,15 +99,15 @@ ShaftBalance Shaft::balance(const ShaftPoint& now) const {
 void Shaft::evaluate(std::span<const double> y, std::span<double> rate) const {
   const ShaftPoint now = point(y);
   const ShaftBalance b = balance(now);
-  const auto set = [&](int place, double value) {
-    if (place >= 0) rate[static_cast<std::size_t>(place)] = value;
+  const auto set = [&](int index, double value) {
+    if (index >= 0) rate[static_cast<std::size_t>(index)] = value;
   };
-  rate[turned] = now.speed;
+  rate[angle_gain] = now.speed;
   rate[speed_gain] = b.acceleration;
   rate[motor_impulse] = b.motor_torque;
   rate[motor_work] = b.motor_power;
   rate[loss_work] = b.loss_power;
-  set(layout_.spun, now.spin);
+  set(layout_.spin_angle, now.spin);
   set(layout_.spin_gain, b.spin_acceleration);
   set(layout_.twist_gain, now.motor_speed - model_.gear_ratio() * now.speed);
   set(layout_.motor_gain, b.motor_acceleration);
@@ -146,8 +146,8 @@ bool Shaft::consistent(const ShaftPoint& now, FrictionSigns signs, bool at_rest,
   return signs.slip * (b.spin_acceleration - model_.cos_tilt() * b.acceleration) > 0;
 }
 
-/// Signs for the next leg: those of motion where there is motion, else the first that agree.
-/// @param after_leg  what the last leg has ended with still counts: where friction gave way it no longer holds
+/// Signs for the next leg: those of the motion where there is motion, else the first that are consistent.
+/// @param after_leg  a leg has just ended: if it ended where friction gave way, the motion starts
 FrictionSigns Shaft::settle_friction(const ShaftMotion& motion, bool after_leg) const {
   if (after_leg && (session_.fired(starts_forward) || session_.fired(starts_backward)))
     return {session_.fired(starts_forward) ? +1 : -1, motion.slip};
@@ -163,17 +163,17 @@ FrictionSigns Shaft::settle_friction(const ShaftMotion& motion, bool after_leg) 
       if (consistent(now, {direction, slip}, at_rest, together)) return {direction, slip};
     }
   }
-  // Only rounding can lead here, at the edge of two answers.
+  // Reached only by rounding, at the edge between two answers.
   return {at_rest ? 0 : sign(motion.speed), motion.slip};
 }
 
-/// A drive that stands still and that no clock, spring or mantle can set in motion.
+/// Whether the drive stands still and no clock, spring or mantle can set it in motion.
 bool Shaft::changes_nothing(const ShaftMotion& motion) const {
   return signs_.direction == 0 && !model_.has_spring() && layout_.heat_gain < 0 && layout_.clock < 0 &&
          (!model_.mantle_spins() || (signs_.slip == 0 && motion.spin == 0));
 }
 
-void Shaft::take_up(std::span<const double> y, double lasted, ShaftMotion& motion, ShaftTurn& sum) const {
+void Shaft::add_leg(std::span<const double> y, double lasted, ShaftMotion& motion, ShaftAdvance& sum) const {
   const ShaftMotion before = motion;
   motion.speed += y[speed_gain];
   motion.spin += gain(y, layout_.spin_gain);
@@ -183,9 +183,9 @@ void Shaft::take_up(std::span<const double> y, double lasted, ShaftMotion& motio
   motion.motor.heat += gain(y, layout_.heat_gain);
   if (model_.mantle_spins() && signs_.slip == 0) motion.spin = model_.cos_tilt() * motion.speed;
   const auto kinetic = [](double inertia, double from, double by) { return inertia * by * (from + by / 2); };
-  sum.angle += y[turned];
-  sum.spun += gain(y, layout_.spun);
-  sum.motor_angle += model_.gear_ratio() * y[turned] + gain(y, layout_.twist_gain);
+  sum.angle += y[angle_gain];
+  sum.spin_angle += gain(y, layout_.spin_angle);
+  sum.motor_angle += model_.gear_ratio() * y[angle_gain] + gain(y, layout_.twist_gain);
   sum.speed_change += y[speed_gain];
   sum.motor_impulse += y[motor_impulse];
   sum.motor_work += y[motor_work];
@@ -197,7 +197,7 @@ void Shaft::take_up(std::span<const double> y, double lasted, ShaftMotion& motio
 }
 
 /// One leg, with fixed signs and a fixed switch. @return its duration [s]
-double Shaft::leg(double duration, ShaftMotion& motion, ShaftTurn& sum) {
+double Shaft::leg(double duration, ShaftMotion& motion, ShaftAdvance& sum) {
   begin_ = motion;
   if (changes_nothing(motion)) {
     sum.motor_impulse += model_.motor_torque_at(point(motion), motion.motor.sense) * duration;
@@ -207,7 +207,7 @@ double Shaft::leg(double duration, ShaftMotion& motion, ShaftTurn& sum) {
   std::vector<double> y(static_cast<std::size_t>(layout_.size), 0);
   const double lasted = session_.integrate(duration, y);
   if (session_.fired(halts)) y[speed_gain] = -begin_.speed;  // exactly 0 at the root
-  take_up(y, lasted, motion, sum);
+  add_leg(y, lasted, motion, sum);
   if (session_.fired(halts) && signs_.slip == 0) motion.spin = 0;
   if (session_.fired(catches_up)) {
     motion.spin = model_.cos_tilt() * motion.speed;
@@ -216,7 +216,7 @@ double Shaft::leg(double duration, ShaftMotion& motion, ShaftTurn& sum) {
   return lasted;
 }
 
-void Shaft::halt(ShaftMotion& motion, double done, ShaftTurn& sum) const {
+void Shaft::halt(ShaftMotion& motion, double done, ShaftAdvance& sum) const {
   if (signs_.direction > 0) sum.stopped_after = done;
   const bool driven = motion.motor.sense * signs_.direction > 0;
   const bool against = motion.motor.sense * signs_.direction < 0;
@@ -224,7 +224,7 @@ void Shaft::halt(ShaftMotion& motion, double done, ShaftTurn& sum) const {
   if (!driven && !against) sum.events.push_back({motion.time, DriveEventKind::standstill});
 }
 
-void Shaft::switch_motor(ShaftMotion& motion, ShaftTurn& sum, bool after_leg) const {
+void Shaft::switch_motor(ShaftMotion& motion, ShaftAdvance& sum, bool after_leg) const {
   if (!parameters_.protection.any()) return;
   std::array<bool, Protection::events> fired{};
   for (int k = 0; k < Protection::events && after_leg; ++k)
@@ -235,13 +235,13 @@ void Shaft::switch_motor(ShaftMotion& motion, ShaftTurn& sum, bool after_leg) co
   };
   const double before = motion.motor.sense;
   settle();
-  if (before == 0 && motion.motor.sense != 0) settle();  // on again: it may trip at once
+  if (before == 0 && motion.motor.sense != 0) settle();  // switched on: it may trip at once
 }
 
-ShaftTurn Shaft::turn(double duration, const ShaftLoad& load, ShaftMotion& motion) {
+ShaftAdvance Shaft::advance(double duration, const ShaftLoad& load, ShaftMotion& motion) {
   model_.set_load(load);
-  if (model_.ideal() && !model_.mantle_spins()) return turn_at_constant_speed(duration, motion);
-  ShaftTurn sum;
+  if (model_.ideal() && !model_.mantle_spins()) return advance_at_constant_speed(duration, motion);
+  ShaftAdvance sum;
   double done = 0;
   bool after_leg = false;
   for (int number = 0; number < max_legs; ++number) {
@@ -259,7 +259,7 @@ ShaftTurn Shaft::turn(double duration, const ShaftLoad& load, ShaftMotion& motio
       "the drive changed its state too often in one window under a constant load; check motor, losses and bearings");
 }
 
-void Shaft::set_signs(ShaftMotion& motion, ShaftTurn& sum, bool after_leg) {
+void Shaft::set_signs(ShaftMotion& motion, ShaftAdvance& sum, bool after_leg) {
   begin_ = motion;
   signs_ = settle_friction(motion, after_leg);
   const double sense = motion.motor.sense;
@@ -270,16 +270,16 @@ void Shaft::set_signs(ShaftMotion& motion, ShaftTurn& sum, bool after_leg) {
   motion.slip = signs_.slip;
 }
 
-ShaftTurn Shaft::turn_at_constant_speed(double duration, ShaftMotion& motion) const {
+ShaftAdvance Shaft::advance_at_constant_speed(double duration, ShaftMotion& motion) const {
   const ShaftBalance b = model_.balance(point(motion), {+1, 0}, +1, 0);
-  ShaftTurn turn;
-  turn.angle = motion.speed * duration;
-  turn.motor_angle = model_.gear_ratio() * turn.angle;
-  turn.motor_impulse = b.motor_torque * duration;
-  turn.motor_work = b.motor_torque * turn.motor_angle;
-  turn.loss_work = b.loss_power * duration;
+  ShaftAdvance sum;
+  sum.angle = motion.speed * duration;
+  sum.motor_angle = model_.gear_ratio() * sum.angle;
+  sum.motor_impulse = b.motor_torque * duration;
+  sum.motor_work = b.motor_torque * sum.motor_angle;
+  sum.loss_work = b.loss_power * duration;
   motion.time += duration;
-  return turn;
+  return sum;
 }
 
 double Shaft::energy(const ShaftMotion& m) const {

@@ -55,19 +55,20 @@ double ShaftModel::input_torque(const ShaftPoint& now, double at_motor) const {
   return spring_.stiffness * now.twist + spring_.damping * (now.motor_speed - transmission_.ratio * now.speed);
 }
 
-/// The spider's friction, as shares of the two lines.
-/// @param free_mantle_torque  on the mantle without the spider: at rest the spider takes it up, as far as it can
+/// The spider's friction against Omega, as torques in the two equations of motion, and its power.
+/// @param free_mantle_torque  on the mantle without the spider; at rest the spider balances it, up to its largest
+/// torque
 ShaftModel::Spider ShaftModel::spider(const ShaftPoint& now, FrictionSigns signs, double free_mantle_torque) const {
   const double sine = bearings_.tilt_sine;
   if (signs.slip == 0 && signs.direction != 0)  // Omega = w z
     return {spider_torque_ * signs.direction * sine * sine, spider_torque_ * signs.direction * cos_tilt_,
             spider_torque_ * std::abs(now.speed)};
-  const double turn = std::hypot(now.speed * sine, now.spin);
-  if (turn == 0) return {0, std::clamp(free_mantle_torque, -spider_torque_, spider_torque_), 0};
-  return {spider_torque_ * now.speed * sine * sine / turn, spider_torque_ * now.spin / turn, spider_torque_ * turn};
+  const double rate = std::hypot(now.speed * sine, now.spin);
+  if (rate == 0) return {0, std::clamp(free_mantle_torque, -spider_torque_, spider_torque_), 0};
+  return {spider_torque_ * now.speed * sine * sine / rate, spider_torque_ * now.spin / rate, spider_torque_ * rate};
 }
 
-/// The mantle is dragged along: one line for both.
+/// The mantle is dragged along: one equation of motion for both.
 void ShaftModel::move_both(ShaftBalance& b, const Spider& held, double net) const {
   if (!ideal_)
     b.acceleration =

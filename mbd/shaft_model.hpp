@@ -5,7 +5,7 @@
 
 namespace gyro {
 
-/// What the rock does to the drive, constant over an interval.
+/// Load of the rock on the drive, constant over an interval.
 struct ShaftLoad {
   double rock_torque = 0;    ///< T_c at the eccentric, positive when it resists forward motion [N m]
   double spin_torque = 0;    ///< T_s on the mantle about its own axis, positive about +u [N m]
@@ -21,7 +21,7 @@ struct ShaftPoint {
   double voltage = 1;      ///< / rated voltage [-]
 };
 
-/// The signs that the jumps of dry friction have; constant while one leg is integrated.
+/// The signs of dry friction, at whose changes it jumps; constant during one leg of the integration.
 struct FrictionSigns {
   int direction = 0;  ///< of the eccentric: +1 forward, 0 stuck, -1 backward
   int slip = 0;       ///< of sigma - w cos b: the mantle runs ahead (+1), is dragged along (0), lags (-1)
@@ -31,7 +31,7 @@ struct FrictionSigns {
 struct ShaftBalance {
   double acceleration = 0, spin_acceleration = 0, motor_acceleration = 0;  ///< [rad/s2]
   double motor_torque = 0, motor_power = 0, loss_power = 0;                ///< at the motor's shaft; [N m], [W]
-  /// Torque that the inner bushing passes to the mantle [N m]; what it takes to drag it along while slip is 0.
+  /// Torque that the inner bushing passes to the mantle [N m]; while slip is 0, the torque that drags it along.
   double bushing_torque = 0;
   double stuck_forward = 0;   ///< net torque on a stuck eccentric if it were to start forward [N m]
   double stuck_backward = 0;  ///< likewise backward
@@ -44,11 +44,11 @@ struct ShaftBalance {
 ///   J_a sigma'  = T_s - s T_inner - T_spider sigma / |Omega|
 ///   s = sign(sigma - w cos b),  |Omega|^2 = w^2 sin^2 b + sigma^2,  Omega = w (z - cos b u) + sigma u
 ///
-/// The inner bushing slides at sigma - w cos b: it drags the mantle towards the eccentric, and appears
-/// with cos b in the other line. The spider is a ball joint with a friction torque against Omega. While
-/// the mantle is dragged along (s = 0) both lines are one, with the inertia J + J_a cos^2 b, and
-/// bushing_torque is what the bushing must pass, at most T_inner. T_dry = T_0 + load_factor |T_c| + outer
-/// bushing + brake. Where no mantle inertia is given, sigma is 0 and the bushing slides at w cos b.
+/// The inner bushing slides at sigma - w cos b: it drags the mantle towards the eccentric, and appears with cos b in
+/// the eccentric's equation. The spider is a ball joint with a friction torque against Omega. While the mantle is
+/// dragged along (s = 0) both equations are one, with the inertia J + J_a cos^2 b, and bushing_torque is what the
+/// bushing must pass, at most T_inner. T_dry = T_0 + load_factor |T_c| + outer bushing + brake. Where no mantle inertia
+/// is given, sigma is 0 and the bushing slides at w cos b.
 class ShaftModel {
  public:
   /// @throws BadInput as check_drivetrain

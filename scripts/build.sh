@@ -3,8 +3,12 @@
 # Configures build/release once and builds targets there (default: all). Messages go to
 # standard error. A folder that is configured already is kept as it is, so options given
 # with `cmake --preset release -D...` stay.
-#   scripts/build.sh [target]...
+#   scripts/build.sh [--cuda] [target]...
+# --cuda: with the CUDA engine wherever nvcc is found; otherwise only where there is a device, too.
 set -euo pipefail
+
+wanted_cuda=no
+if [ "${1-}" = --cuda ]; then wanted_cuda=yes; shift; fi
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
@@ -25,10 +29,9 @@ parallel_jobs() {
 
 is_configured() { [ -f "$build/build.ninja" ] || [ -f "$build/Makefile" ]; }
 
-# True when AUTO found no CUDA compiler, but one appeared since it was last looked for.
-cuda_appeared() {
-  [ -n "$nvcc" ] && [ "$nvcc" != "$(cat "$build/.nvcc" 2>/dev/null)" ] &&
-    grep -q '^GYRO_CUDA:[A-Z]*=AUTO$' "$build/CMakeCache.txt" &&
+# True when the folder leaves the choice to us and is configured without CUDA.
+cuda_is_open() {
+  grep -q '^GYRO_CUDA:[A-Z]*=AUTO$' "$build/CMakeCache.txt" &&
     ! compgen -G "$build/CMakeFiles/*/CMakeCUDACompiler.cmake" >/dev/null
 }
 
@@ -37,12 +40,15 @@ exec 9>"$build/.lock"
 flock 9  # two calls at once would build over each other
 
 nvcc=$(command -v nvcc || ls /usr/local/cuda/bin/nvcc 2>/dev/null || true)
+found="$nvcc $("$root/scripts/cuda_device.sh" 2>/dev/null || true)"
+with_cuda=()
+if [ $wanted_cuda = yes ] && [ -n "$nvcc" ]; then with_cuda=(-DGYRO_CUDA=ON); fi
 if ! is_configured; then
-  (cd "$root" && cmake --preset release) >&2
-elif cuda_appeared; then
-  cmake -UCMAKE_CUDA_COMPILER "$build" >&2
+  (cd "$root" && cmake --preset release "${with_cuda[@]}") >&2
+elif cuda_is_open && { [ ${#with_cuda[@]} -gt 0 ] || [ "$found" != "$(cat "$build/.cuda" 2>/dev/null)" ]; }; then
+  cmake -UCMAKE_CUDA_COMPILER "${with_cuda[@]}" "$build" >&2  # a compiler or a device appeared
 fi
-echo "$nvcc" >"$build/.nvcc"
+echo "$found" >"$build/.cuda"
 
 targets=()
 if [ $# -gt 0 ]; then targets=(--target "$@"); fi

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The check before a commit, about a minute when little has changed: form, lints, build
+# The check before a commit, about a minute when little has changed: format, lints, build
 # (with CUDA where nvcc is installed) and the tests labelled unit.
 #   scripts/check.sh          check
 #   scripts/check.sh --fix    format the sources first
@@ -16,19 +16,19 @@ for argument in "$@"; do
   case $argument in
     --fix) fix=yes ;;
     --tidy) tidy=yes tools+=(clang-tidy) ;;
-    *) sed -n '3,7s/^# //p' "$0"; echo "unknown: $argument; --fix and --tidy are accepted" >&2; exit 2 ;;
+    *) sed -n '3,7s/^# //p' "$0"; echo "unknown argument: $argument; use --fix or --tidy" >&2; exit 2 ;;
   esac
 done
 
 "$scripts/setup.sh" "${tools[@]}"
 
 failed=()
-step() {  # NAME COMMAND...: goes on after a failure, so that one call shows all problems
+step() {  # NAME COMMAND...: continues after a failure, so that one call shows all problems
   echo "== $1"
   "${@:2}" || failed+=("$1")
 }
 
-# Of the files git knows or would take up, those that exist and end as asked for.
+# Existing files that match the patterns: those in git, and new ones that git does not ignore.
 sources() { git ls-files -z --cached --others --exclude-standard -- "$@" | xargs -0 -r ls -d 2>/dev/null; }
 mapfile -t code < <(sources '*.hpp' '*.cpp' '*.cuh' '*.cu')
 
@@ -43,6 +43,8 @@ tidy_sources() {
 if [ $fix = yes ]; then clang-format -i "${code[@]}"; fi
 step "format" format_sources
 step "text" "$scripts/text_lint.py"
+step "words" "$scripts/words_lint.py"
+step "length of functions" "$scripts/function_lint.py"
 step "include directions" "$scripts/include_lint.py"
 step "device code" "$scripts/hd_lint.py"
 step "build and unit tests" "$scripts/test.sh" -L unit

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What to do first on a machine with an NVIDIA GPU: is the CUDA engine right, and how fast is it?
 #   scripts/gpu_day.sh [BUILD [OUT]]
-# BUILD holds gyrosim and the test programs (default build/cuda, which is configured and built if it is not
-# there); OUT takes the logs (default gpu-day). Ends with a table; the exit code is that of the worst step.
+# BUILD has gyrosim and the test programs (default build/cuda, which is configured and built if it is missing);
+# the logs go to OUT (default gpu-day). Ends with a table; the exit code is 1 if any step failed.
 #   GPU_DAY_STEPS="device bits"   only these of: device bits sanitize compare speed size
 set -uo pipefail
 
@@ -48,7 +48,7 @@ print(f'{s["particles"]} particles, {s["particle_steps"] / w:.3g} particle-steps
 PY
 }
 
-# All series of two runs, bit by bit but for the clock.
+# Compares all series of two runs bit by bit, except the wall clock.
 same_series() {
   python3 - "$1" "$2" <<'PY'
 import sys, h5py, numpy

@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails on what device code cannot do, in the headers of core/math, core/laws and core/kernels.
+"""Fails on code that a device cannot run, in headers of core/math, surfaces, laws and kernels.
 
-Gives a developer without nvcc most of its verdict in a second. Beyond nvcc's rules, functions
-marked GYRO_HD call nothing but exactly rounded arithmetic (+ - * / sqrt fma), because sin, exp
-or pow differ in the last bit between processors. A header for the host alone says so in a line
-`// Host only.` before its first #include; device headers must not include it.
+A developer without nvcc gets most of what nvcc would say, in a second. Beyond nvcc's rules, functions marked GYRO_HD may
+use only exactly rounded arithmetic (+ - * / sqrt fma), because sin, exp or pow differ in the last bit between processors. A
+header for the host only says so in a line `// Host only.` before its first #include; device headers must not include it.
 
 Usage: hd_lint.py [ROOT]
 """
@@ -28,7 +27,7 @@ FORBIDDEN = (
     (r"^\s*#\s*include\s*<(iostream|ostream|istream|sstream|fstream|iomanip|string|string_view|vector|map|set|"
      r"unordered_map|unordered_set|deque|list|functional|memory|thread|mutex|atomic|algorithm|numeric|random|"
      r"stdexcept|exception|filesystem|format|optional|array|span|omp\.h|cassert|cstdio)>", "a host header"),
-    (r"__CUDA_?ARCH__|__CUDACC__", "asked for in core/base/hd.hpp only"),
+    (r"__CUDA_?ARCH__|__CUDACC__", "for core/base/hd.hpp only"),
 )
 INEXACT = re.compile(
     r"(?<![\w.])(?<!->)(?:std::)?(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p|pow|"

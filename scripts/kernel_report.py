@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints what every CUDA kernel takes of a processor: registers, stack frame and spilled bytes.
+"""Prints the registers, stack frame and spilled bytes of every CUDA kernel.
 
-Needs nvcc, no GPU. Fails (exit 1) when a kernel is above its limit. Stack and spills of a kernel are
-0 unless LIMITS names it with a reason; registers must let two blocks of 128 threads run.
+Needs nvcc, no GPU. Fails (exit 1) when a kernel is above its limit: no stack and no spills, unless LIMITS names the
+kernel and the reason; few enough registers for two blocks of 128 threads.
 
 Usage: kernel_report.py [--arch 80,90] [--nvcc PATH] [--all]
-  --all also lists what only copies or clears memory
+  --all   also list the kernels that only copy or clear memory
 """
 import argparse
 import re
@@ -19,11 +19,11 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 FLAGS = ["-std=c++20", "-O3", "-DNDEBUG", "--fmad=false", "-Xcompiler=-ffp-contract=off"]
 
-# Largest stack frame and spilled bytes of kernels that may have any. Points of a wall are compared
-# with each other, in arrays of up to six points whose places are computed: those lie on the stack.
+# Largest stack frame and spilled bytes of kernels that may have any. These two compare the contact points of a wall with
+# each other, in arrays of up to six points that are indexed at run time and therefore lie on the stack.
 LIMITS = {"WallForces": (1536, 0), "SumWallContacts": (1024, 0)}
-MOST_REGISTERS = 255
-PLAIN = re.compile(r"Keep<|ClearWallSums|NotePlaces|CellBegins")
+MAX_REGISTERS = 255
+PLAIN = re.compile(r"Keep<|ClearWallSums|StorePositions|CellBegins")
 
 ENTRY = re.compile(
     r"Compiling entry function '(?P<name>\S+)'.*?(?P<stack>\d+) bytes stack frame, (?P<stores>\d+) bytes spill stores, "
@@ -65,7 +65,7 @@ def main():
         failed += not rows
         for name, registers, stack, stores, loads in rows:
             allowed = next((limit for key, limit in LIMITS.items() if key in name), (0, 0))
-            above = registers > MOST_REGISTERS or stack > allowed[0] or max(stores, loads) > allowed[1]
+            above = registers > MAX_REGISTERS or stack > allowed[0] or max(stores, loads) > allowed[1]
             failed += above
             if above or options.all or not PLAIN.search(name):
                 print(f"  {registers:9d}  {stack:5d}  {stores:7d}  {name}{'  ABOVE ITS LIMIT' if above else ''}")

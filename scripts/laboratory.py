@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How hard is my ore: laboratory cases over several seeds, and bond parameters fitted to laboratory values.
+"""Laboratory tests over several seeds, and bond parameters fitted to laboratory values.
 
 Usage:
   laboratory.py measure CASE... [--seeds N] [--jobs N] [--set KEY=VALUE]...
@@ -8,25 +8,27 @@ Usage:
 
 `measure` runs each case with seeds 1 to N and prints every figure of the test with mean and standard deviation.
 
-`fit` looks for bond strengths and stiffnesses with which the laboratory cases give the wanted values: --ucs and --modulus
-from cases/laboratory/uniaxial.yaml, --bts (indirect tensile strength) from brazilian.yaml, --lump (0.9 F/d^2 of an
-irregular lump) from platen.yaml.
+`fit` searches for bond strengths and stiffnesses with which the laboratory cases give the wanted values: --ucs and
+--modulus from cases/laboratory/uniaxial.yaml, --bts (indirect tensile strength) from brazilian.yaml, --lump (0.9 F/d^2 of
+an irregular lump) from platen.yaml.
 
-In a slow test without gravity nothing but ratios of stresses counts: when strengths, stiffnesses and the contact modulus,
-that of the plates too, are all multiplied by y, so are all measured stresses. Hence a single number is sought, the factor
-x on both bond strengths of the case at its own stiffness, so that measured strength/modulus has the wanted ratio; then all
-stresses are multiplied by y = wanted/measured modulus. So rock as stiff as granite is fitted at the cost of the soft rock
-of the case. Without --modulus, y is 1 and x makes the strength itself right.
+In a slow test without gravity only ratios of stresses matter. If strengths, stiffnesses and the contact moduli, those of the
+plates included, are all multiplied by y, all measured stresses are too. So the search has one unknown: the factor x on both
+bond strengths of the case, at the case's stiffness, with which measured strength / modulus has the wanted ratio. Then all
+stresses are multiplied by y = wanted / measured modulus. This fits rock as stiff as granite at the cost of the case's soft
+rock. Without --modulus, y is 1 and x makes the strength itself right.
 
-The search is a fixed point in logarithms: x <- x (wanted/measured)^(1/p), p = d log(measured)/d log(x), first taken as 1,
-then from the last two rounds, within 0.3 to 3. Where several strengths are wanted, their mean logarithm is fitted and what
-remains of each is printed: bonded spheres have a ratio of compressive to tensile strength of their own. The ratio of
-both bond strengths to each other stays that of the case of the first wanted strength; --set changes it.
+The search is a fixed-point iteration in logarithms: x <- x (wanted/measured)^(1/p), p = d log(measured)/d log(x). p is 1 at
+first and then follows from the last two rounds, within 0.3 to 3. If several strengths are wanted, the mean of their
+logarithms is fitted and the remaining difference of each is printed, because bonded spheres have a fixed ratio of
+compressive to tensile strength. The ratio of the two bond strengths is that of the case of the first wanted strength; --set
+changes it.
 
-At the end the cases run once more with what was found, without scaling: the two first seeds. Their plates are stiffer than
-steel by y. Plates of steel, sinking into such rock, cost it a third of its modulus (ways are measured on the plates).
+At the end the cases run once more with the result, without scaling, for the first two seeds. Their plates are y times as
+stiff as steel: plates of real steel would sink into such rock, and because displacements are measured at the plates, the
+rock would seem a third softer.
 
-Needs nothing beside Python 3 and build/release/gyrosim; --gyrosim names another one.
+Needs Python 3 and gyrosim, which is looked for in build/release and, when installed, in bin; --gyrosim names another.
 """
 import argparse
 import json
@@ -40,6 +42,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 CASES = ROOT / "cases" / "laboratory"
+# In a checkout; installed, where ROOT is share/gyrosim.
+PROGRAMS = (ROOT / "build" / "release" / "gyrosim", ROOT.parent.parent / "bin" / "gyrosim")
 FIGURES = [("first_break_force", "first break", "N", 1), ("failure_force", "failure", "N", 1),
            ("failure_displacement", "at", "mm", 1e3), ("strength", "strength", "MPa", 1e-6),
            ("stiffness", "stiffness", "MN/m", 1e-6), ("modulus", "modulus", "GPa", 1e-9)]
@@ -51,7 +55,7 @@ DURATION = "time.duration"
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description="Laboratory tests of bonded rock.")
-    parser.add_argument("--gyrosim", type=Path, default=ROOT / "build" / "release" / "gyrosim")
+    parser.add_argument("--gyrosim", type=Path, default=next(filter(Path.exists, PROGRAMS), PROGRAMS[0]))
     commands = parser.add_subparsers(dest="command", required=True)
     measure = commands.add_parser("measure", help="figures of laboratory cases over seeds")
     measure.add_argument("cases", type=Path, nargs="+", metavar="CASE")
@@ -60,8 +64,8 @@ def parse_arguments():
     fit.add_argument("--bts", type=float, help="tensile strength of the Brazilian test [MPa]")
     fit.add_argument("--lump", type=float, help="strength of irregular lumps, 0.9 F/d^2 [MPa]")
     fit.add_argument("--modulus", type=float, help="modulus of the uniaxial test [GPa]")
-    fit.add_argument("--rounds", type=int, default=5, help="most rounds of the search")
-    fit.add_argument("--tolerance", type=float, default=0.1, help="relative, where the search ends; seeds scatter by 15 %%")
+    fit.add_argument("--rounds", type=int, default=5, help="rounds of the search, at most")
+    fit.add_argument("--tolerance", type=float, default=0.1, help="relative difference at which the search ends; seeds scatter by 15 %%")
     for command, seeds in ((measure, 5), (fit, 4)):
         command.add_argument("--seeds", type=int, default=seeds)
         command.add_argument("--jobs", type=int, default=2, help="runs at the same time, each on one thread")
@@ -82,13 +86,13 @@ def run(arguments, case, seed, settings):
             sys.exit(f"laboratory.py: {' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
         figures = json.loads((out / "summary.json").read_text())["laboratory"]
     if figures is None:
-        sys.exit(f"laboratory.py: {case} has no section `laboratory`; cases/laboratory has some")
+        sys.exit(f"laboratory.py: {case} has no section `laboratory`; use a case like those in cases/laboratory")
     return figures
 
 
-def measure(arguments, cases, settings, most_seeds=None, durations=None):
+def measure(arguments, cases, settings, max_seeds=None, durations=None):
     """Figures of each case for all seeds; `durations` by case, in s, where they are not the case's own."""
-    seeds = min(arguments.seeds, most_seeds or arguments.seeds)
+    seeds = min(arguments.seeds, max_seeds or arguments.seeds)
     with ThreadPoolExecutor(arguments.jobs) as pool:
         own = {case: settings + ([f"time.duration={durations[case]:.4g}"] if durations else []) for case in cases}
         runs = {case: [pool.submit(run, arguments, case, seed, own[case]) for seed in range(1, seeds + 1)]
@@ -117,13 +121,13 @@ def print_figures(case, runs):
 
 
 class Unknown:
-    """A factor, sought so that a measured value becomes the wanted one."""
+    """A factor that is varied until a measured value is the wanted one."""
 
     def __init__(self):
         self.factor, self.trace = 1.0, []
 
     def learn(self, ratio):
-        """Takes up measured/wanted at the present factor and moves to the next one."""
+        """Records measured/wanted at the present factor and moves to the next factor."""
         self.trace.append((math.log(self.factor), math.log(ratio)))
         power = 1.0
         if len(self.trace) > 1:
@@ -174,7 +178,7 @@ def mean_of(runs, case, figure):
 def fit(arguments):
     wanted = wanted_strengths(arguments)
     if not wanted:
-        sys.exit("laboratory.py fit: no strength is wanted; --ucs, --bts and --lump are accepted, with or without --modulus")
+        sys.exit("laboratory.py fit: no strength is given; use --ucs, --bts or --lump, with or without --modulus")
     uniaxial = CASES / "uniaxial.yaml"
     cases = {case for case, _, _ in wanted} | ({uniaxial} if arguments.modulus else set())
     numbers = numbers_of(arguments, wanted[0][0])

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows that the lints catch what they are for, and let good code pass."""
+"""Tests that the lints catch what they are for, and let good code pass."""
 import tempfile
 import unittest
 from pathlib import Path
 
+import function_lint
 import hd_lint
 import include_lint
 import text_lint
+import words_lint
 
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 
@@ -30,23 +32,75 @@ class LintTest(unittest.TestCase):
         self.assertEqual(self.problems(lint, {path: text, **(others or {})}), [])
 
 
+# What each folder may include. Written out, so that a mistake in the lint's own tables shows.
+CORE = "base math scene surfaces laws state kernels exec dem geometry rocks fragments walls feed"
+ENGINE = "base math scene surfaces laws state kernels exec dem"
+DATA = "base math scene surfaces geometry rocks fragments walls feed"
+IO = "io/case io/schema io/fmu io/hdf5 io/mesh io/run io/rocks"
+ARROWS = {
+    "base": "base",
+    "math": "base math",
+    "scene": "base math scene",
+    "surfaces": "base math scene surfaces",
+    "laws": "base math scene surfaces laws",
+    "state": "base math scene surfaces laws state",
+    "kernels": "base math scene surfaces laws state kernels",
+    "exec": "base math exec",
+    "dem": ENGINE,
+    "geometry": "base math scene surfaces laws geometry",
+    "rocks": "base math scene surfaces laws geometry rocks",
+    "fragments": "base math scene surfaces laws geometry fragments",
+    "walls": "base math scene surfaces laws walls",
+    "feed": "base math scene surfaces laws rocks walls feed",
+    "gpu": f"{ENGINE} gpu",
+    "mbd": "base math scene mbd",
+    "io/case": f"{DATA} mbd {IO}",
+    "io/schema": f"{DATA} mbd {IO}",
+    "io/fmu": f"{DATA} mbd {IO}",
+    "io/hdf5": "base io/hdf5",
+    "io/mesh": f"{DATA} io/mesh",
+    "io/run": f"{DATA} mbd io/hdf5 io/run",
+    "io/rocks": f"{DATA} io/mesh io/hdf5 io/run io/rocks",
+    "app/simulation": f"{CORE} gpu mbd {IO} app/simulation",
+    "app/verify": f"{CORE} gpu mbd {IO} app/simulation app/verify",
+    "app/bench": f"{CORE} gpu mbd {IO} app/simulation app/bench",
+    "app/examples": f"{CORE} gpu mbd app/examples",
+    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
+    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
+}
+
+
+def path_of(folder):
+    return f"core/{folder}" if folder in CORE.split() else folder
+
+
 class IncludeLint(LintTest):
-    def test_catches_an_include_against_the_arrows(self):
+    def test_knows_every_pair_of_folders(self):
+        pairs = {(f"{path_of(giver)}/to_{path_of(taker).replace('/', '_')}.cpp", f"{path_of(taker)}/b.hpp"):
+                 taker in allowed.split() for giver, allowed in ARROWS.items() for taker in ARROWS}
+        self.assertEqual(len(pairs), len(ARROWS) ** 2)
+        found = self.problems(include_lint, {path: f'#include "{header}"\n' for path, header in pairs})
+        caught = {problem.split(":")[0] for problem in found}
+        for (path, header), may in pairs.items():
+            with self.subTest(path=path, header=header):
+                self.assertEqual(path in caught, not may)
+
+    def test_every_folder_of_the_project_is_in_the_table(self):
+        root = Path(include_lint.__file__).resolve().parent.parent
+        for top in include_lint.FOLDERS:
+            for file in (root / top).rglob("*.[ch]pp"):
+                path = file.relative_to(root).as_posix()
+                with self.subTest(path=path):
+                    self.assertTrue(path == "app/main.cpp" or path.startswith(tuple(path_of(f) + "/" for f in ARROWS)))
+
+    def test_catches_a_header_that_its_folder_hides(self):
         for path, header in (
-            ("core/base/a.hpp", "core/math/vec3.hpp"),
-            ("core/math/a.hpp", "core/laws/bond.hpp"),
-            ("core/laws/a.hpp", "core/state/particles.hpp"),
-            ("core/dem/a.cpp", "io/case/case.hpp"),
-            ("core/dem/a.cpp", "mbd/drivetrain.hpp"),
-            ("core/kernels/a.hpp", "gpu/exec_cuda.cuh"),
-            ("core/rocks/a.cpp", "app/simulation/simulation.hpp"),
             ("mbd/a.cpp", "core/scene/dem.hpp"),
-            ("mbd/a.cpp", "io/case/case.hpp"),
-            ("io/a.cpp", "app/simulation/simulation.hpp"),
-            ("io/a.cpp", "gpu/report.hpp"),
-            ("io/a.cpp", "mbd/cvode_session.hpp"),
-            ("gpu/a.cu", "mbd/motor.hpp"),
-            ("app/a.cpp", "tests/catch.hpp"),
+            ("mbd/fmi/a.cpp", "core/scene/dem.hpp"),
+            ("io/case/a.cpp", "mbd/cvode_session.hpp"),
+            ("io/fmu/a.cpp", "mbd/shaft.hpp"),
+            ("app/commands/a.cpp", "tests/catch.hpp"),
+            ("core/new_folder/a.cpp", "core/base/hd.hpp"),
         ):
             with self.subTest(path=path, header=header):
                 self.assert_caught(include_lint, path, f'#include "{header}"\n')
@@ -63,7 +117,18 @@ class IncludeLint(LintTest):
             ("core/geometry/a.cpp", "vtkPolyData.h"),
             ("io/a.cpp", "sundials/sundials_types.h"),
             ("mbd/a.cpp", "yaml-cpp/yaml.h"),
-            ("io/a.cpp", "CLI/CLI.hpp"),
+            ("io/run/a.cpp", "CLI/CLI.hpp"),
+            ("app/commands/a.cpp", "CLI/CLI.hpp"),
+            ("io/run/a.cpp", "hdf5.h"),
+            ("app/simulation/a.cpp", "hdf5.h"),
+            ("io/schema/a.cpp", "yaml-cpp/yaml.h"),
+            ("io/hdf5/a.cpp", "vtkPolyData.h"),
+            ("io/run/a.cpp", "zip.h"),
+            ("core/dem/a.cpp", "omp.h"),
+            ("core/laws/a.hpp", "Eigen/Dense"),
+            ("app/simulation/a.cpp", "cvode/cvode.h"),
+            ("mbd/a.cpp", "spdlog/logger.h"),
+            ("core/rocks/a.cpp", "nlohmann/json.hpp"),
         ):
             with self.subTest(path=path, header=header):
                 self.assert_caught(include_lint, path, f"#include <{header}>\n")
@@ -75,17 +140,23 @@ class IncludeLint(LintTest):
 
     def test_lets_good_includes_pass(self):
         for path, header in (
-            ("core/laws/a.hpp", '"core/math/vec3.hpp"'),
-            ("core/dem/a.cpp", '"core/rocks/library.hpp"'),
             ("core/geometry/a.cpp", "<CGAL/Surface_mesh.h>"),
             ("core/rocks/a.cpp", "<Eigen/Dense>"),
             ("core/dem/a.cpp", "<vector>"),
             ("mbd/a.cpp", '"core/scene/window.hpp"'),
             ("mbd/a.cpp", "<cvode/cvode.h>"),
-            ("io/a.cpp", '"mbd/motor.hpp"'),
-            ("io/a.cpp", "<vtkPolyData.h>"),
+            ("mbd/fmi/a.cpp", '"mbd/shaft.hpp"'),
+            ("io/case/a.cpp", '"mbd/drivetrain_parameters.hpp"'),
+            ("io/case/a.cpp", "<yaml-cpp/parser.h>"),
+            ("io/hdf5/a.cpp", "<hdf5.h>"),
+            ("io/run/a.cpp", "<vtkPolyData.h>"),
+            ("io/run/a.cpp", '"core/scene/dem.hpp"'),
+            ("io/fmu/a.cpp", "<zip.h>"),
             ("gpu/a.cu", "<cub/cub.cuh>"),
-            ("app/a.cpp", '"mbd/drivetrain.hpp"'),
+            ("app/command_line/a.cpp", "<CLI/CLI.hpp>"),
+            ("app/main.cpp", '"app/commands/commands.hpp"'),
+            ("app/verify/a.cpp", '"app/version.hpp"'),
+            ("app/verify/a.cpp", '"mbd/shaft.hpp"'),
         ):
             with self.subTest(path=path, header=header):
                 self.assert_passes(include_lint, path, f"#include {header}\n")
@@ -147,6 +218,58 @@ class TextLint(LintTest):
     def test_lets_good_text_pass(self):
         self.assert_passes(text_lint, "core/a.hpp", SPDX + "#pragma once\n\nint a;\n")
         self.assert_passes(text_lint, "scripts/a.py", "#!/usr/bin/python3\n#" + SPDX[2:])
+
+
+class WordsLint(LintTest):
+    def test_catches_old_words(self):
+        for path, text, line in (
+            ("core/a.cpp", "int a;\nbool glued;\n", 2),
+            ("core/a.cpp", "const Index bonds_unglued = 0;\n", 1),
+            ("core/a.hpp", "struct SheetCheck {};\n", 1),
+            ("app/a.cpp", '"particles touch through a sheet"\n', 1),
+            ("mbd/a.hpp", "int most_events;\n", 1),
+            ("scripts/a.py", "MOST_EVENTS = 8\n", 1),
+            ("cases/a/README.md", "The margin of neighbour lists.\n", 1),
+            ("README.md", "Lists are built anew.\n", 1),
+            ("cases/a.yaml", "# glued\n", 1),
+        ):
+            with self.subTest(text=text):
+                self.assert_caught(words_lint, path, text, line)
+
+    def test_lets_good_words_pass(self):
+        for text in ("spreadsheet, datasheets, at_most_half, almost_done, mostly, utmost\n", "max_events, intact, pressed\n",
+                     "a margin of 5 %; a list of margins\n"):
+            with self.subTest(text=text):
+                self.assert_passes(words_lint, "core/a.cpp", text)
+        self.assert_passes(words_lint, "CHANGELOG.md", "glued\n")
+
+
+class FunctionLint(LintTest):
+    LONG = "  a();\n" * (function_lint.LONGEST - 1)  # with the head and the closing brace a line too long
+
+    def test_catches_long_functions(self):
+        for path, text, line in (
+            ("core/a.cpp", f"int b;\nvoid f(int a) {{\n{self.LONG}}}\n", 2),
+            ("core/a.cpp", f"namespace a {{\nstruct S {{\n  S(int b) : b_{{b}}, c_{{1, 2}} {{\n{self.LONG}}}\n}};\n}}\n", 3),
+            ("core/a.hpp", f"template <class T>\nauto f(const T& t) const noexcept -> T {{\n{self.LONG[7:]}}}\n", 1),
+            ("tests/a.cpp", f'TEST_CASE("{{", "[a]") {{\n{self.LONG}}}\n', 1),
+            ("core/a.cpp", f"void f() {{\n  auto g = [] {{\n    b();\n  }};\n{self.LONG[21:]}}}\n", 1),
+            ("scripts/a.py", f"class C:\n  def f(self):\n{self.LONG.replace('  a', '    a')}    a()\n", 2),
+        ):
+            with self.subTest(path=path, text=text[:60]):
+                self.assert_caught(function_lint, path, text, line)
+
+    def test_lets_good_functions_pass(self):
+        short = self.LONG[7:]
+        for path, text in (
+            ("core/a.cpp", f"void f(int a) {{\n{short}}}\n\nvoid g() {{\n{short}}}\n"),
+            ("core/a.cpp", f"namespace b {{\n{self.LONG.replace('a();', 'int a;')}int c;\n}}\n"),
+            ("core/a.cpp", f"const Row rows[] = {{\n{self.LONG.replace(';', ',')}{self.LONG.replace(';', ',')}}};\n"),
+            ("core/a.cpp", f'const char* text = R"({{\n{self.LONG}){{\n{self.LONG})";\n'),
+            ("core/a.hpp", f"class A : public B<int> {{\n public:\n{self.LONG}  void f();\n}};\n"),
+        ):
+            with self.subTest(path=path, text=text[:60]):
+                self.assert_passes(function_lint, path, text)
 
 
 if __name__ == "__main__":

@@ -35,9 +35,9 @@ def parse_arguments():
     parser.add_argument("--color", choices=["fragment", "rock", "velocity", "force"], default="fragment")
     parser.add_argument("--range", type=float, nargs=2, metavar=("LOW", "HIGH"), help="of velocity or force")
     parser.add_argument("--cut", choices=["none", "liners", "half"],
-                        help="what is taken away in front: nothing, outer liners, or rocks as well; "
+                        help="what is cut away in front: nothing, the outer liners, or rocks too; "
                              "default: half of a crusher, nothing of other scenes")
-    parser.add_argument("--bonds", action="store_true", help="bonds as thin tubes, both at 0.45 of their radius")
+    parser.add_argument("--bonds", action="store_true", help="also draw bonds as thin tubes; particles and bonds at 0.45 of their radius")
     parser.add_argument("--size", default="1600x1200", help="pixels, WIDTHxHEIGHT")
     parser.add_argument("--azimuth", type=float, default=-90, help="of the camera [degrees]")
     parser.add_argument("--elevation", type=float, default=24, help="of the camera [degrees]")
@@ -61,16 +61,16 @@ def ensure_display():
 
 
 def find_frame(run, number):
-    """(number, time) of a frame, from whichever index the run has."""
+    """(number, time) of a frame, from the index of the particles or else of the walls."""
     for kind in ("particles", "walls"):
         index = run / f"{kind}.pvd"
         if index.exists():
             frames = ElementTree.parse(index).getroot().findall(".//DataSet")
             if not -len(frames) <= number < len(frames):
-                sys.exit(f"render.py: {run} has no frame {number}; it has {len(frames)}, 0 is the first")
+                sys.exit(f"render.py: {run} has no frame {number}; use 0 to {len(frames) - 1}")
             frame = frames[number]
             return int(Path(frame.get("file")).stem.split("_")[1]), float(frame.get("timestep"))
-    sys.exit(f"render.py: {run} holds no particles.pvd; give the directory of a run with snapshots")
+    sys.exit(f"render.py: {run} has no particles.pvd; give the directory of a run with snapshots")
 
 
 def text_actor(text, size, x, y):
@@ -145,7 +145,7 @@ def add_shading(renderer, length):
 
 
 def write_image(window, path):
-    """Drawn at twice the size and averaged, which smooths the edges of spheres too."""
+    """Draws at twice the size and averages, which also smooths the edges of spheres."""
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.SetInputBufferTypeToRGB()

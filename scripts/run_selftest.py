@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows what the scripts hand on: run.sh to gyrosim, test.sh to ctest, setup.sh to apt.
+"""Tests what the scripts call: run.sh gyrosim, test.sh ctest, setup.sh apt.
 
-Works on a copy of the scripts in which programs that would build, install or run are
-replaced by ones that write down how they were called.
+Works on a copy of the scripts in which programs that would build, install or run are replaced by ones that record how they
+were called.
 """
 import json
 import shutil
@@ -31,7 +31,7 @@ class ScriptTest(unittest.TestCase):
         self.bin = Path(folder.name, "bin")
         self.bin.mkdir()
         (self.root / "scripts").mkdir(parents=True)
-        for script in ("run.sh", "test.sh", "setup.sh", "build.sh"):
+        for script in ("run.sh", "test.sh", "setup.sh", "build.sh", "cuda_device.sh"):
             shutil.copy(SCRIPTS / script, self.root / "scripts")
 
     def record(self, path):
@@ -93,7 +93,7 @@ class Test(ScriptTest):
         self.record(self.root / "scripts/build.sh")
         self.record(self.bin / "ctest")
 
-    def test_nightly_tests_run_only_when_asked_for(self):
+    def test_nightly_tests_run_only_on_request(self):
         for given, excluded in (
             ([], True), (["-L", "unit"], True), (["-R", "a b"], True),
             (["-L", "nightly"], False), (["-LE", "slow"], False),
@@ -101,7 +101,7 @@ class Test(ScriptTest):
             with self.subTest(given=given):
                 done, calls = self.call("test.sh", *given)
                 self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertEqual(calls[:2], [["setup.sh"], ["build.sh"]])
+                self.assertEqual(calls[:2], [["setup.sh"], ["build.sh", "--cuda"]])
                 ctest = calls[2]
                 self.assertEqual(ctest[len(ctest) - len(given):], given)
                 self.assertEqual("-LE" in ctest[:len(ctest) - len(given)], excluded)
@@ -112,8 +112,58 @@ class Test(ScriptTest):
         self.assertEqual(self.call("test.sh", EXIT_build="1")[0].returncode, 1)
 
 
+class Build(ScriptTest):
+    """With a cmake that only writes down, and an nvcc that may be there."""
+
+    def setUp(self):
+        super().setUp()
+        self.record(self.bin / "cmake")
+        self.device("exit 1")
+
+    def device(self, body):
+        (self.root / "scripts/cuda_device.sh").write_text(f"#!/bin/bash\n{body}\n")
+
+    def configured(self, cuda):
+        folder = self.root / "build/release"
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "build.ninja").touch()
+        (folder / "CMakeCache.txt").write_text(f"GYRO_CUDA:STRING={cuda}\n")
+
+    def configuration(self, *arguments):
+        """What cmake was called with before it built; nothing where it only built."""
+        done, calls = self.call("build.sh", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("--build", calls[-1])
+        self.calls_file.unlink()
+        return [call[1:] for call in calls[:-1]]
+
+    def test_configures_once(self):
+        self.assertEqual(self.configuration("gyrosim"), [["--preset", "release"]])
+        self.configured("AUTO")
+        self.assertEqual(self.configuration("gyrosim"), [])
+
+    def test_cuda_without_device_only_when_asked_for(self):
+        self.record(self.bin / "nvcc")
+        self.assertEqual(self.configuration(), [["--preset", "release"]])
+        self.assertEqual(self.configuration("--cuda"), [["--preset", "release", "-DGYRO_CUDA=ON"]])
+        self.configured("AUTO")
+        self.assertEqual(self.configuration(), [])
+        self.assertIn("-DGYRO_CUDA=ON", self.configuration("--cuda")[0])
+        for chosen in ("OFF", "ON"):
+            self.configured(chosen)
+            self.assertEqual(self.configuration("--cuda"), [])
+
+    def test_looks_again_when_a_device_appears(self):
+        self.record(self.bin / "nvcc")
+        self.configuration()
+        self.configured("AUTO")
+        self.device("echo /dev/nvidia0")
+        self.assertEqual(len(self.configuration()), 1)
+        self.assertEqual(self.configuration(), [])
+
+
 class Setup(ScriptTest):
-    """With a dpkg-query that knows no package, an id and an apt that only write down."""
+    """With a dpkg-query that knows no package, and an id and an apt that only record calls."""
 
     def setUp(self):
         super().setUp()
@@ -145,7 +195,7 @@ class Setup(ScriptTest):
         done, verbs = self.apt_calls(EXIT_apt_get="100")
         self.assertEqual((done.returncode, verbs), (1, ["install", "update"]))
 
-    def test_a_user_without_rights_is_told_what_to_do(self):
+    def test_a_user_without_rights_gets_the_command_to_run(self):
         done, verbs = self.apt_calls(USER_ID="1000", NO_SUDO="yes")
         self.assertEqual((done.returncode, verbs), (1, []))
         self.assertIn("apt-get install --no-install-recommends build-essential", done.stderr)

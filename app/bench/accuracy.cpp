@@ -15,7 +15,7 @@ std::vector<double> first_of(std::vector<double> values, std::size_t count) {
 }
 
 /// Equal bits are looked for one by one: means over seeds could hide a difference.
-Family family_of(const Metric& metric, const Setting& setting) {
+Family family_of(const Metric& metric, const KnobSetting& setting) {
   return setting.exact && metric.family != Family::identity ? Family::path : metric.family;
 }
 
@@ -47,7 +47,7 @@ void measure(const AccuracyScene& scene, const std::filesystem::path& folder, co
              const Extent& extent, const std::function<void(const Point&)>& take) {
   const int seeds = extent.quick ? std::min(quick_seeds, reference.seeds) : reference.seeds;
   Reference::Table at_default;
-  for (const Setting& setting : settings_of(scene, extent.quick)) {
+  for (const KnobSetting& setting : settings_of(scene, extent.quick)) {
     const bool is_default = at_default.empty();  // it comes first
     const bool wanted = extent.knob.empty() || extent.knob == setting.knob;
     if (!wanted && !is_default) continue;

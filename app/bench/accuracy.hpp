@@ -18,7 +18,7 @@ struct PointMetric {
 /// One point of the work-precision diagram: what a setting costs and how far off it is.
 struct Point {
   std::string scene;
-  Setting setting;
+  KnobSetting setting;
   int seeds = 0;
   double seconds_per_simulated_second = 0;  ///< processor time of one thread
   double time_step = 0, time_step_limit = 0;

@@ -18,34 +18,34 @@ std::string safety(double share) {
   return "time.safety=" + text_of(share);
 }
 
-Setting step(double share) {
+KnobSetting step(double share) {
   return {.knob = "step", .value = text_of(share), .overrides = {safety(share)}};
 }
 
-Setting step_in_double(double share) {
+KnobSetting step_in_double(double share) {
   return {.knob = "step_double", .value = text_of(share), .overrides = {safety(share), "numerics.precision=double"}};
 }
 
-Setting substeps(int k) {
+KnobSetting substeps(int k) {
   return {.knob = "substeps", .value = std::to_string(k), .overrides = {}, .hold = k};
 }
 
 /// Contacts at the default step, bonds k times as often.
-Setting substeps_within(int k) {
+KnobSetting substeps_within(int k) {
   return {.knob = "substeps_within", .value = std::to_string(k), .overrides = {safety(default_safety / k)}, .hold = k};
 }
 
-Setting window(double milliseconds) {
+KnobSetting window(double milliseconds) {
   return {.knob = "window",
           .value = text_of(milliseconds * 1e-3),
           .overrides = {"coupling.interval=" + text_of(milliseconds * 1e-3)}};
 }
 
-Setting margin(double share) {
+KnobSetting margin(double share) {
   return {.knob = "margin", .value = text_of(share), .overrides = {}, .margin = share, .exact = true};
 }
 
-Setting reference(double divisor) {
+KnobSetting reference(double divisor) {
   return {.knob = "reference",
           .value = text_of(default_safety / divisor),
           .overrides = {safety(default_safety / divisor), "numerics.precision=double", "coupling.interval=50e-6"}};
@@ -53,19 +53,19 @@ Setting reference(double divisor) {
 
 }  // namespace
 
-std::vector<std::string> as_overrides(const Setting& setting) {
+std::vector<std::string> as_overrides(const KnobSetting& setting) {
   std::vector<std::string> all = setting.overrides;
   if (setting.hold > 1) all.push_back("numerics.substeps=" + std::to_string(setting.hold));
   return all;
 }
 
-Setting default_setting() {
+KnobSetting default_setting() {
   return step(default_safety);
 }
 
-std::vector<Setting> settings_of(const AccuracyScene& scene, bool quick) {
+std::vector<KnobSetting> settings_of(const AccuracyScene& scene, bool quick) {
   if (quick) return {default_setting(), step(default_safety / 2), substeps(2), margin(0.2)};
-  std::vector<Setting> all{default_setting(), step(0.9), step(0.35), step(0.175)};
+  std::vector<KnobSetting> all{default_setting(), step(0.9), step(0.35), step(0.175)};
   all.push_back({.knob = "precision", .value = "double", .overrides = {"numerics.precision=double"}});
   for (const int k : {2, 4, 8}) all.push_back(substeps(k));
   if (scene.name == "platen") {
@@ -78,12 +78,12 @@ std::vector<Setting> settings_of(const AccuracyScene& scene, bool quick) {
   return all;
 }
 
-Setting reference_setting() {
+KnobSetting reference_setting() {
   return reference(16);
 }
 
-Setting coarse_reference_setting() {
-  Setting setting = reference(8);
+KnobSetting coarse_reference_setting() {
+  KnobSetting setting = reference(8);
   setting.to_first_break = true;
   return setting;
 }

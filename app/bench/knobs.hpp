@@ -9,7 +9,7 @@
 namespace gyro::bench {
 
 /// One point of a work-precision curve: a scene's case with one numerical choice made differently.
-struct Setting {
+struct KnobSetting {
   std::string knob;
   std::string value;                   ///< a number, or a word such as `double`
   std::vector<std::string> overrides;  ///< of the case, as in --set
@@ -20,18 +20,18 @@ struct Setting {
 };
 
 /// The overrides, with the hold as a case would ask for it.
-std::vector<std::string> as_overrides(const Setting& setting);
+std::vector<std::string> as_overrides(const KnobSetting& setting);
 
 /// All defaults.
-Setting default_setting();
+KnobSetting default_setting();
 
 /// Everything that is tried on a scene, the default first. Physics (damping, moduli) is no knob.
 /// @param quick  two or three points
-std::vector<Setting> settings_of(const AccuracyScene& scene, bool quick);
+std::vector<KnobSetting> settings_of(const AccuracyScene& scene, bool quick);
 
 /// Double, a sixteenth of the default step, windows of 50 us.
-Setting reference_setting();
+KnobSetting reference_setting();
 /// The same at twice the step, up to the first break: it bounds the reference's own error on the way there.
-Setting coarse_reference_setting();
+KnobSetting coarse_reference_setting();
 
 }  // namespace gyro::bench

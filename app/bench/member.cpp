@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/member.hpp"
 
+#include "app/assembly/assembly.hpp"
 #include "app/bench/first_break.hpp"
 #include "app/bench/size.hpp"
-#include "app/simulation/assembly.hpp"
 #include "app/simulation/device.hpp"
-#include "app/simulation/simulation.hpp"
 #include "core/base/errors.hpp"
 
 #include <algorithm>
@@ -34,28 +33,27 @@ Case load(const Member& m, std::vector<std::string> overrides) {
   return *report.loaded;
 }
 
-double smallest_radius(const Assembly& assembly) {
+double smallest_radius(const Setup& setup) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const NewRock& rock : assembly.start)
+  for (const NewRock& rock : setup.start)
     for (const NewParticle& p : rock.particles) smallest = std::min(smallest, p.radius);
   return smallest;
 }
 
-/// What no case can ask for: margins, and holds beyond what the check of a case accepts.
-void apply(const Setting& setting, double interval, Assembly& assembly) {
-  if (setting.margin > 0) assembly.scene.neighbour_skin = setting.margin * smallest_radius(assembly);
+/// Sets what no case can ask for: skins of neighbour lists, and holds beyond what the check of a case allows.
+void apply(const KnobSetting& setting, double window, Setup& setup) {
+  setup.inspection_interval = 0;  // nothing is removed
+  if (setting.margin > 0) setup.scene.neighbour_skin = setting.margin * smallest_radius(setup);
   if (setting.hold == 1) return;
-  StepChoice& step = assembly.step;
-  step.per_window = setting.hold * static_cast<int>(std::ceil(1.0 * step.per_window / setting.hold));
-  step.dt = interval / step.per_window;
-  assembly.scene.dt = step.dt;
-  assembly.scene.substeps = setting.hold;
+  setup.steps_per_window = setting.hold * static_cast<int>(std::ceil(1.0 * setup.steps_per_window / setting.hold));
+  setup.scene.dt = window / setup.steps_per_window;
+  setup.scene.substeps = setting.hold;
 }
 
 /// Wall whose force and work count.
-std::size_t tool_of(const AccuracyScene& scene, const Assembly& assembly) {
-  if (scene.tool.empty()) return static_cast<std::size_t>(assembly.gyrating);
-  const auto& walls = assembly.scene.walls;
+std::size_t tool_of(const AccuracyScene& scene, const Setup& setup) {
+  if (scene.tool.empty()) return static_cast<std::size_t>(gyrating_wall(setup.scene));
+  const auto& walls = setup.scene.walls;
   const auto found = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return w.name == scene.tool; });
   if (found == walls.end()) throw BadInput(scene.name + ".yaml has no wall " + scene.tool);
   return static_cast<std::size_t>(found - walls.begin());
@@ -72,7 +70,7 @@ struct Watched {
     const WindowResult result = simulation.advance();
     const WallLoad& load = result.walls[tool];
     work += load.work;
-    if (!first_break.seen()) first_break.see(result.window, norm(load.force), simulation.dem().take_breakages());
+    if (!first_break.seen()) first_break.see(result.window, norm(load.force), result.breakages);
   }
 };
 
@@ -101,13 +99,16 @@ std::map<std::string, double> values_of(const Watched& run, const Case& input) {
 MemberResult run_member(const Member& member) {
   const Case input = load(member, member.setting.overrides);
   Assembly assembly = assemble(input);
-  apply(member.setting, input.coupling_interval, assembly);
-  Simulation simulation(input, assembly, make_dem(choose_device("cpu", 1), assembly.scene, input.numerics.precision));
-  Watched run{simulation, tool_of(*member.scene, assembly)};
+  Setup& setup = assembly.setup;
+  apply(member.setting, input.coupling_interval, setup);
+  auto dem = make_dem(choose_device("cpu", 1), setup.scene, input.numerics.precision);
+  const std::unique_ptr<Simulation> made = make_simulation(input, setup, std::move(dem));
+  Simulation& simulation = *made;
+  Watched run{simulation, tool_of(*member.scene, setup)};
   MemberResult result;
-  result.time_step = assembly.step.dt;
+  result.time_step = setup.scene.dt;
   result.time_step_limit = assembly.step.limit;
-  const double end = input.time.duration - 1e-6 * assembly.step.per_window * assembly.step.dt;
+  const double end = input.time.duration - 1e-6 * setup.steps_per_window * setup.scene.dt;
   const double start = thread_seconds();
   while (simulation.time() < end && !simulation.verdict()) {
     run.window();

@@ -14,7 +14,7 @@ namespace gyro::bench {
 struct Member {
   const AccuracyScene* scene;
   std::filesystem::path folder;  ///< of the scenes
-  Setting setting;
+  KnobSetting setting;
   int seed;
 };
 
@@ -28,7 +28,7 @@ struct MemberResult {
 };
 
 /// Runs a member on the calling thread.
-/// @throws BadInput for a case or a setting that is not accepted
+/// @throws BadInput for a bad case or setting
 MemberResult run_member(const Member& member);
 
 /// Why a case may not ask for a setting; empty if it may.

@@ -20,7 +20,7 @@ json read_all(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in) return json::object();
   const json all = json::parse(in, nullptr, false);
-  if (all.is_discarded()) throw BadInput(file.string() + " is no JSON; what --make-reference writes is accepted");
+  if (all.is_discarded()) throw BadInput(file.string() + " is not JSON; make it with --make-reference");
   return all;
 }
 
@@ -55,7 +55,7 @@ Reference::Table read_table(const json& values, const AccuracyScene& scene, std:
 
 const std::string how_to_make = "`gyrosim bench accuracy --make-reference` makes it";
 
-Ensemble sound_ensemble(const AccuracyScene& scene, const std::filesystem::path& folder, const Setting& setting,
+Ensemble sound_ensemble(const AccuracyScene& scene, const std::filesystem::path& folder, const KnobSetting& setting,
                         int threads) {
   Ensemble ensemble = run_ensemble({&scene, folder, setting, 1}, scene.seeds, threads);
   if (ensemble.stopped() > 0)
@@ -120,7 +120,7 @@ Reference read_reference(const std::filesystem::path& file, const AccuracyScene&
     r.command = j.at("command");
     if (r.fingerprint != fingerprint(scene, folder))
       throw BadInput(file.string() + ": the reference of " + scene.name +
-                     " was made with another case or start state; " + how_to_make + " anew");
+                     " was made with another case or start state; " + how_to_make + " again");
     for (const Metric& metric : scene.metrics)
       if (r.fine.at(metric.name).size() != seeds || r.coarse.at(metric.name).size() != seeds)
         throw std::out_of_range(metric.name);

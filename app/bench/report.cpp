@@ -72,7 +72,7 @@ void print(const Point& p) {
               p.seconds_per_simulated_second);
   for (const PointMetric& m : p.metrics) std::printf(" %21s", cell(m).c_str());
   if (p.stopped > 0) std::printf("  %d of %d stopped", p.stopped, p.seeds);
-  if (!p.refused.empty()) std::printf("  not accepted in a case");
+  if (!p.refused.empty()) std::printf("  not allowed in a case");
   std::printf("\n");
   std::fflush(stdout);
 }

@@ -21,7 +21,7 @@ struct Ensemble {
 };
 
 /// Runs seeds 1 to `seeds`, each on one thread, `threads` of them side by side.
-/// @throws BadInput for a case or a setting that is not accepted
+/// @throws BadInput for a bad case or setting
 Ensemble run_ensemble(const Member& first, int seeds, int threads);
 
 }  // namespace gyro::bench

@@ -39,8 +39,4 @@ std::span<const AccuracyScene> accuracy_scenes() {
   return scenes;
 }
 
-std::filesystem::path default_scene_folder() {
-  return GYRO_CASES "/bench/accuracy";
-}
-
 }  // namespace gyro::bench

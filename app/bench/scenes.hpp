@@ -3,7 +3,6 @@
 
 #include "app/bench/ensemble.hpp"
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,8 +26,5 @@ struct AccuracyScene {
 
 /// The scenes R1 to R3.
 std::span<const AccuracyScene> accuracy_scenes();
-
-/// Folder in which the scenes of this build lie.
-std::filesystem::path default_scene_folder();
 
 }  // namespace gyro::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/report.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/program_files.hpp"
 #include "app/version.hpp"
 
 #include <cstdio>
@@ -21,7 +22,7 @@ std::vector<AccuracyScene> chosen(const std::string& name) {
   std::vector<AccuracyScene> all;
   for (const AccuracyScene& scene : accuracy_scenes())
     if (name.empty() || scene.name == name) all.push_back(scene);
-  if (all.empty()) throw BadInput("--scene " + name + ": there is no such scene; " + names() + " are accepted");
+  if (all.empty()) throw BadInput("--scene " + name + ": there is no such scene; use one of " + names());
   return all;
 }
 
@@ -29,12 +30,12 @@ void require_knob(const std::string& knob) {
   if (knob.empty()) return;
   std::string known;
   for (const AccuracyScene& scene : accuracy_scenes())
-    for (const Setting& setting : settings_of(scene, false)) {
+    for (const KnobSetting& setting : settings_of(scene, false)) {
       if (setting.knob == knob) return;
       if ((known + ", ").find(setting.knob + ", ") == std::string::npos)
         known += (known.empty() ? "" : ", ") + setting.knob;
     }
-  throw BadInput("--knob " + knob + ": there is no such knob; " + known + " are accepted");
+  throw BadInput("--knob " + knob + ": there is no such knob; use one of " + known);
 }
 
 int make_references(const std::vector<AccuracyScene>& scenes, const std::filesystem::path& folder, int threads) {
@@ -49,7 +50,7 @@ int make_references(const std::vector<AccuracyScene>& scenes, const std::filesys
 }  // namespace
 
 int bench_accuracy_command(const BenchAccuracyArguments& a) {
-  const std::filesystem::path folder = a.folder.value_or(default_scene_folder());
+  const std::filesystem::path folder = a.folder.value_or(case_folder() / "bench/accuracy");
   const std::vector<AccuracyScene> scenes = chosen(a.scene);
   require_knob(a.knob);
   if (a.make_reference) return make_references(scenes, folder, a.threads);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly/assembly.hpp"
 #include "app/commands/commands.hpp"
-#include "app/simulation/assembly.hpp"
 #include "app/simulation/device.hpp"
-#include "app/simulation/simulation.hpp"
 #include "core/base/errors.hpp"
 #include "io/run/progress.hpp"
 
@@ -17,14 +16,14 @@
 namespace gyro {
 namespace {
 
-/// What a run of a case would take.
+/// The size and cost of a run.
 struct Estimate {
   StepChoice step;
   std::int64_t particles = 0, bonds = 0, particles_at_end = 0, steps = 0;
   double bytes = 0, seconds = 0;
 };
 
-/// Mass and particles of the average rock of a library, by number as the feed draws them.
+/// Mass and particles of the mean rock that the feed draws from a library.
 struct MeanRock {
   double mass = 0, particles = 0;
 };
@@ -41,7 +40,7 @@ MeanRock mean_rock(const RockLibrary& library, double density) {
   return mean;
 }
 
-/// What a run of some windows from t = 0 shows.
+/// Measurements of a run of some windows from t = 0.
 struct Trial {
   Counts start;
   double seconds_per_step;  ///< median: the first steps build neighbour lists, and others may use the machine
@@ -49,23 +48,25 @@ struct Trial {
 Trial try_out(const Case& input, const Assembly& assembly) {
   constexpr double enough_work = 1e6;  // particle steps in a trial window, some tenths of a second
   constexpr double enough_time = 1.5;  // [s]
-  Assembly trial = assembly;
-  Simulation simulation(input, trial, make_dem(choose_device("cpu", 0), trial.scene, input.numerics.precision));
-  const Counts at_start = simulation.dem().counts();
+  Setup setup = assembly.setup;
+  setup.inspection_interval = 0;
+  auto dem = make_dem(choose_device("cpu", 0), setup.scene, input.numerics.precision);
+  const std::unique_ptr<Simulation> simulation = make_simulation(input, std::move(setup), std::move(dem));
+  const Counts at_start = simulation->dem().counts();
   const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(at_start.particles, 1));
-  trial.step.per_window = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(trial.step.per_window)));
+  const int max_steps = static_cast<int>(std::clamp(affordable, 1.0, 1e9));
   using Clock = std::chrono::steady_clock;
-  std::vector<double> seconds;
+  std::vector<double> seconds;  // per step
   const auto start = Clock::now();
   do {
     const auto begin = Clock::now();
-    simulation.advance();
-    simulation.require_sound();
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+    const WindowResult result = simulation->advance(max_steps);
+    simulation->require_sound();
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count() / result.window.steps);
   } while (seconds.size() < 3 ||
            (seconds.size() < 100 && Clock::now() - start < std::chrono::duration<double>(enough_time)));
   std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
-  return {at_start, seconds[seconds.size() / 2] / trial.step.per_window};
+  return {at_start, seconds[seconds.size() / 2]};
 }
 
 Estimate estimate(const Case& input, const Assembly& assembly) {
@@ -76,10 +77,11 @@ Estimate estimate(const Case& input, const Assembly& assembly) {
   e.particles = trial.start.particles;
   e.bonds = trial.start.bonds_intact;
   double fed_later = 0;
-  if (assembly.feed) {
-    const FeedPlan& plan = *assembly.feed;
-    const double density = assembly.scene.materials[static_cast<std::size_t>(assembly.scene.rock_material)].density;
-    const MeanRock mean = mean_rock(assembly.library, density);
+  if (assembly.setup.feed) {
+    const FeedPlan& plan = *assembly.setup.feed;
+    const Scene& scene = assembly.setup.scene;
+    const double density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
+    const MeanRock mean = mean_rock(assembly.setup.library, density);
     fed_later = (plan.batch + plan.rate * std::max(0.0, input.time.duration - plan.start)) / mean.mass * mean.particles;
   }
   e.particles_at_end = e.particles + std::llround(fed_later);
@@ -106,13 +108,14 @@ void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   std::printf("step           %.4g us", e.step.dt * 1e6);
   if (std::isfinite(e.step.limit)) std::printf(", limit %.4g us (%s)", e.step.limit * 1e6, e.step.limited_by.c_str());
   std::printf("\n");
-  std::printf("steps          %lld, %d a coupling interval\n", static_cast<long long>(e.steps), e.step.per_window);
+  std::printf("steps          %lld, %d per coupling interval\n", static_cast<long long>(e.steps),
+              e.step.steps_per_window);
   std::printf("particles      %s at the start, about %s by the end if all the feed finds room\n",
               format_count(double(e.particles)).c_str(), format_count(double(e.particles_at_end)).c_str());
   std::printf("bonds          %s at the start\n", format_count(double(e.bonds)).c_str());
-  if (!assembly.library.rocks.empty())
-    std::printf("library        %zu rocks, %.3g to %.3g mm\n", assembly.library.rocks.size(),
-                assembly.library.rocks.front().diameter * 1e3, assembly.library.rocks.back().diameter * 1e3);
+  if (const std::vector<RockTemplate>& rocks = assembly.setup.library.rocks; !rocks.empty())
+    std::printf("library        %zu rocks, %.3g to %.3g mm\n", rocks.size(), rocks.front().diameter * 1e3,
+                rocks.back().diameter * 1e3);
   for (const std::string& note : assembly.notes) std::printf("note           %s\n", note.c_str());
   std::printf("memory         about %s bytes\n", format_count(e.bytes).c_str());
   std::printf("wall time      about %s on this machine\n", format_duration(e.seconds).c_str());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/simulation/bad_key.hpp"
+#include "app/assembly/bad_key.hpp"
 #include "io/case/case.hpp"
 
 #include <filesystem>
@@ -47,7 +47,7 @@ struct VerifyArguments {
 
 struct BenchAccuracyArguments {
   std::string scene, knob;                      ///< empty: all
-  std::optional<std::filesystem::path> folder;  ///< of scenes and reference; none: the source folder of this build
+  std::optional<std::filesystem::path> folder;  ///< of scenes and reference; none: that of the sources of this build
   int threads = 1;                              ///< runs side by side, each on one thread
   bool quick = false, make_reference = false, json = false;
 };
@@ -68,7 +68,7 @@ int export_fmu_command(const CaseArguments& arguments, const std::optional<std::
 int init_command(const std::string& name);
 int info_command(bool json);
 
-/// Does `work` on a case; blames the place in the file for a key that turns out bad. @throws BadInput
+/// Does `work` on a case; a key to blame becomes its place in the file. @throws BadInput
 template <class Work>
 auto located(const CaseArguments& arguments, Work&& work) {
   try {

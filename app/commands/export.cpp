@@ -32,7 +32,7 @@ std::string heading(const Quantity& q, std::size_t column) {
 std::vector<Quantity> read_series(const std::filesystem::path& run) {
   const std::filesystem::path file = run / "results.h5";
   if (!std::filesystem::exists(file))
-    throw BadInput(run.string() + " holds no results.h5; the directory of a run is accepted");
+    throw BadInput(run.string() + " holds no results.h5; give the directory of a run");
   const hdf5::File results = hdf5::File::open(file);
   std::vector<Quantity> series;
   std::vector<std::string> names = results.children("/series");
@@ -72,7 +72,7 @@ void write_csv(const std::vector<Quantity>& series, std::ostream& out) {
 
 int export_command(const std::filesystem::path& run, const std::optional<std::filesystem::path>& out) {
   const std::vector<Quantity> series = read_series(run);
-  if (series.empty()) throw BadInput(run.string() + " has no series; the directory of a run is accepted");
+  if (series.empty()) throw BadInput(run.string() + " has no series; give the directory of a run");
   if (!out) {
     write_csv(series, std::cout);
     return exit_done;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
+#include "app/commands/program_files.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 #include "io/fmu/export.hpp"
@@ -10,13 +11,6 @@ namespace gyro {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The library that every FMU gets; it lies beside the program.
-fs::path drivetrain_library() {
-  std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  return program.parent_path() / "gyro_drivetrain_fmu.so";
-}
 
 /// The lines of a case that use the FMU as the built-in drivetrain was used.
 std::string section_text(const fs::path& file, const DrivetrainParameters& drive) {
@@ -34,8 +28,9 @@ int export_fmu_command(const CaseArguments& arguments, const std::optional<fs::p
   if (!input) return exit_bad_input;
   const std::string name = source.file.string();
   if (input->drivetrain_fmu)
-    throw BadInput(name + ": its drivetrain is an FMU already; a case with a motor is accepted");
-  if (!input->drivetrain) throw BadInput(name + ": has no drivetrain; a case with the section drivetrain is accepted");
+    throw BadInput(name + ": its drivetrain is an FMU already; export one from a case with a motor");
+  if (!input->drivetrain)
+    throw BadInput(name + ": has no drivetrain; export one from a case with the section drivetrain");
   const fs::path file = out.value_or(input->file.stem().string() + ".fmu");
   located(source, [&] {
     blaming("drivetrain", [&] {
@@ -44,7 +39,7 @@ int export_fmu_command(const CaseArguments& arguments, const std::optional<fs::p
                     .tool = std::string("gyrosim ") + version::number + " (" + version::git + ")",
                     .stop_time = input->time.duration,
                     .step = input->coupling_interval,
-                    .library = drivetrain_library()},
+                    .library = program_part("gyro_drivetrain_fmu.so", "gyro_drivetrain_fmu")},
                    file);
     });
   });

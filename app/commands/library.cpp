@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly/assembly.hpp"
 #include "app/commands/commands.hpp"
-#include "app/simulation/assembly.hpp"
 #include "core/base/errors.hpp"
 #include "io/rocks/library_file.hpp"
 
@@ -14,7 +14,7 @@
 namespace gyro {
 namespace {
 
-/// What the library is as a whole.
+/// Figures of the whole library.
 void print_footer(const RockLibrary& library, const SizeDistribution& sizes) {
   double particles = 0, bonds = 0, rocks_per_mass = 0, particles_by_number = 0;
   for (const RockTemplate& r : library.rocks) {
@@ -29,8 +29,9 @@ void print_footer(const RockLibrary& library, const SizeDistribution& sizes) {
   std::printf(
       "mean of the library: %.4g particles and %.4g bonds a rock; of the rocks fed, by number: %.4g particles\n",
       particles / n, bonds / n, particles_by_number / rocks_per_mass);
-  std::printf("crumbled, its rock takes %.2f times the room of solid rock; real broken rock about 1.7\n",
-              swell_of_crumbled(library));
+  std::printf(
+      "crumbled to particles, its rock takes %.2f times the volume of solid rock; real broken rock takes about 1.7\n",
+      swell_of_crumbled(library));
   for (const std::string& note : library.notes) std::printf("%s\n", note.c_str());
   std::printf("%s in %.3g s\n", library.from_cache ? "read from the cache" : "made", library.seconds);
 }
@@ -47,26 +48,27 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   const std::optional<Case> input = load_or_complain(arguments);
   if (!input) return exit_bad_input;
   if (!input->rocks)
-    throw BadInput(to_string(
-        problem_at(arguments.file, arguments.set, "rocks", "the case has no `rocks`; a library is made from them")));
+    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "rocks",
+                                        "the case has no `rocks`; add the section, a library is made from it")));
   const Assembly assembly = located(arguments, [&] { return assemble(*input); });
+  const RockLibrary& library = assembly.setup.library;
   if (out) {
     make_directory(*out);
-    write_library(assembly.library, *out / "library.h5");
-    write_library_preview(assembly.library, *out);
+    write_library(library, *out / "library.h5");
+    write_library_preview(library, *out);
   }
   const SizeDistribution sizes(input->rocks->sizes);
   nlohmann::json j{{"rocks", nlohmann::json::array()},
-                   {"seconds", assembly.library.seconds},
-                   {"from_cache", assembly.library.from_cache},
+                   {"seconds", library.seconds},
+                   {"from_cache", library.from_cache},
                    {"f80", sizes.f80()},
                    {"f50", sizes.f50()},
-                   {"swell_of_crumbled", swell_of_crumbled(assembly.library)},
-                   {"notes", assembly.library.notes}};
+                   {"swell_of_crumbled", swell_of_crumbled(library)},
+                   {"notes", library.notes}};
   if (!arguments.json)
     std::printf("%-28s %9s %9s %7s %8s %9s %9s %9s %6s %9s\n", "rock", "mm", "particles", "bonds", "packing",
                 "mass err", "centre", "inertia", "coord", "limit us");
-  for (const RockTemplate& r : assembly.library.rocks) {
+  for (const RockTemplate& r : library.rocks) {
     j["rocks"].push_back({{"name", r.name},
                           {"diameter", r.diameter},
                           {"sieve_size", r.sieve_size},
@@ -86,7 +88,7 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   if (arguments.json)
     std::cout << j.dump(2) << "\n";
   else
-    print_footer(assembly.library, sizes);
+    print_footer(library, sizes);
   return exit_done;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly/walls.hpp"
 #include "app/commands/commands.hpp"
-#include "app/simulation/assembly.hpp"
 #include "core/base/errors.hpp"
 #include "io/mesh/stl.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double tph = 1600 * 3.6;  // of a bulk volume per second: brochures state capacities at 1.6 t/m3
+constexpr double tph = 1600 * 3.6;  // t/h per m3/s of bulk rock: brochures state capacities at 1.6 t/m3
 constexpr double degree = std::numbers::pi / 180;
 constexpr int sectors = 360;
 
@@ -26,7 +26,7 @@ double eccentric_speed(const Case& input) {
   return idle_speed(*input.drivetrain);
 }
 
-/// The liners as they stand with the mantle centred and lifted to the setting: a case takes the files as they are.
+/// The liners with the mantle centred and lifted to the setting, so that a case can use the files as they are.
 void write_liners(const MeshLiners& liners, const std::filesystem::path& folder) {
   make_directory(folder);
   write_stl((folder / "concave.stl").string(), liners.concave);
@@ -113,12 +113,13 @@ void print(const MeshReport& report, double lift) {
 }
 
 void report_meshes(const Case& input, const CaseArguments& arguments, const std::filesystem::path& out) {
-  const Assembly assembly = located(arguments, [&] { return assemble_walls(input); });
-  const std::optional<MeshLiners> liners = mesh_liners(assembly.scene);
+  const CaseWalls walls = located(arguments, [&] { return make_walls(input); });
+  const std::optional<MeshLiners> liners = mesh_liners(walls.walls);
   if (!liners)
-    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "crusher",
-                                        "nothing to measure: a crusher.profile is accepted, or two meshes, of which "
-                                        "one gyrates and the other is fixed and called concave")));
+    throw BadInput(
+        to_string(problem_at(arguments.file, arguments.set, "crusher",
+                             "there is nothing to measure; give crusher.profile, or two meshes, of which one "
+                             "gyrates and the other is fixed and called concave")));
   const MeshReport report = located(arguments, [&] {
     return blaming("crusher", [&] { return measure(*liners, eccentric_speed(input), norm(input.gravity)); });
   });
@@ -135,8 +136,9 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   const std::optional<Case> input = load_or_complain(arguments);
   if (!input) return exit_bad_input;
   if (!input->crusher)
-    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "crusher",
-                                        "the case has no crusher; liners are made from its profile or measured")));
+    throw BadInput(to_string(
+        problem_at(arguments.file, arguments.set, "crusher",
+                   "the case has no crusher; add one: its liners are made from a profile or measured on meshes")));
   const CaseCrusher& crusher = *input->crusher;
   if (crusher.liners.empty()) {
     report_meshes(*input, arguments, out);

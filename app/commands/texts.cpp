@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
+#include "app/commands/program_files.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 
@@ -24,19 +25,19 @@ int describe_command(const std::string& key, bool schema) {
 }
 
 int init_command(const std::string& name) {
-  static const std::pair<const char*, const char*> templates[] = {
-      {"quickstart", GYRO_CASES "/quickstart.yaml"},
-      {"primary", GYRO_CASES "/mkii-62-75/case.yaml"},
-      {"compression", GYRO_CASES "/laboratory/platen.yaml"}};
+  static const std::pair<const char*, const char*> templates[] = {{"quickstart", "quickstart.yaml"},
+                                                                  {"primary", "mkii-62-75/case.yaml"},
+                                                                  {"compression", "laboratory/platen.yaml"}};
   for (const auto& [known, file] : templates) {
     if (name != known) continue;
-    std::ifstream in(file);
+    const std::filesystem::path path = case_folder() / file;
+    std::ifstream in(path);
     if (!in)
-      throw BadInput(std::string(file) + ": cannot be read; the templates lie in the source folder of this build");
+      throw OutputError(path.string() + ": cannot be read; the templates belong to the checkout or installation");
     std::cout << in.rdbuf();
     return exit_done;
   }
-  throw BadInput("--template " + name + ": unknown; quickstart, primary or compression");
+  throw BadInput("--template " + name + " is unknown; use quickstart, primary or compression");
 }
 
 int info_command(bool json) {
@@ -58,7 +59,7 @@ int info_command(bool json) {
       j["cpu"] = line.substr(line.find(':') + 2);
       break;
     }
-  j["libraries"] = nlohmann::json::parse(GYRO_LIBRARIES);
+  j["libraries"] = {{"sundials", version::sundials}, {"hdf5", version::hdf5}, {"vtk", version::vtk}};
   if (json) {
     std::cout << j.dump(2) << "\n";
     return exit_done;

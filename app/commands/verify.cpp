@@ -5,7 +5,9 @@
 namespace gyro {
 
 int verify_command(const VerifyArguments& arguments) {
-  return verify::report(verify::all_cases(), verify::all_lines(), arguments);
+  const bool passed = verify::report(verify::all_verifications(), verify::check_names(),
+                                     {arguments.filter, arguments.nightly, arguments.json});
+  return passed ? exit_done : exit_check_failed;
 }
 
 }  // namespace gyro

@@ -21,7 +21,8 @@ Device choose_device(const std::string& asked, int threads) {
     device.name = cuda_device_report();
   }
 #else
-  if (asked == "cuda") throw NoDevice("this gyrosim was built without CUDA; --device cpu is accepted");
+  if (asked == "cuda")
+    throw NoDevice("this gyrosim was built without CUDA; use --device cpu, or build again with GYRO_CUDA=ON");
 #endif
   return device;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation/laboratory.hpp"
 
+#include "core/math/regression.hpp"
 #include "io/hdf5/hdf5.hpp"
 #include "io/run/replace_file.hpp"
 
@@ -103,19 +104,15 @@ double strength_of(const Compression& c, double force, double size) {
 /// first reaches the other: waves that run through the rock since the platens met it level out.
 std::optional<double> slope_between(const std::vector<CurvePoint>& curve, double low, double high) {
   const double from = displacement_at(curve, low), to = displacement_at(curve, high);
-  std::vector<CurvePoint> used{{from, low}};
-  for (const CurvePoint& p : curve)
-    if (p.displacement > from && p.displacement < to) used.push_back(p);
-  used.push_back({to, high});
-  CurvePoint mean{0, 0};
-  for (const CurvePoint& p : used) mean.displacement += p.displacement, mean.force += p.force;
-  mean.displacement /= static_cast<double>(used.size()), mean.force /= static_cast<double>(used.size());
-  double along = 0, across = 0;
-  for (const CurvePoint& p : used) {
-    const double d = p.displacement - mean.displacement;
-    along += d * d, across += d * (p.force - mean.force);
+  std::vector<double> displacement{from}, force{low};
+  for (const CurvePoint& p : curve) {
+    if (p.displacement <= from || p.displacement >= to) continue;
+    displacement.push_back(p.displacement);
+    force.push_back(p.force);
   }
-  return along > 0 ? std::optional(across / along) : std::nullopt;
+  displacement.push_back(to);
+  force.push_back(high);
+  return regression_slope(displacement, force);
 }
 
 /// Figures that need a failure at this force.
@@ -129,11 +126,11 @@ void add_failure(LaboratoryFigures& f, const Compression& c, const std::vector<C
 }
 
 const PlaneShape& plane_of(const Assembly& assembly, Index wall) {
-  return std::get<PlaneShape>(assembly.scene.walls[static_cast<std::size_t>(wall)].shape);
+  return std::get<PlaneShape>(assembly.setup.scene.walls[static_cast<std::size_t>(wall)].shape);
 }
 
 Vec3d velocity_of(const Assembly& assembly, Index wall) {
-  const auto* linear = std::get_if<LinearMotion>(&assembly.scene.walls[static_cast<std::size_t>(wall)].motion);
+  const auto* linear = std::get_if<LinearMotion>(&assembly.setup.scene.walls[static_cast<std::size_t>(wall)].motion);
   return linear ? linear->velocity : Vec3d{0, 0, 0};
 }
 
@@ -180,7 +177,7 @@ Compression measured_compression(const Case& input, const Assembly& assembly, co
   c.closing_speed =
       dot(velocity_of(assembly, laboratory.moving) - velocity_of(assembly, laboratory.fixed), moving.normal);
   if (const auto* cylinder = input.rocks ? std::get_if<CylinderSpecimen>(&input.rocks->shapes) : nullptr) {
-    c.diameter = cylinder_diameter(*cylinder, assembly.library.rocks.front().diameter);
+    c.diameter = cylinder_diameter(*cylinder, assembly.setup.library.rocks.front().diameter);
     c.length = cylinder->slenderness * c.diameter;
   }
   const hdf5::File file = hdf5::File::open(results);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/simulation/assembly.hpp"
+#include "app/assembly/assembly.hpp"
 #include "io/run/summary.hpp"
 
 #include <filesystem>

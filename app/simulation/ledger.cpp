@@ -8,25 +8,26 @@
 namespace gyro {
 
 std::optional<std::string> Ledger::close(double time, const EnergyTerms& after, const Extremes& extremes) {
-  const double fallen = potential_before_ - after.potential;
-  gravity_work_ += fallen;
-  gravity_turnover_ += std::abs(fallen);
-  energy_ = after;
+  State& s = state_;
+  const double fallen = s.potential_before - after.potential;
+  s.gravity_turnover += std::abs(fallen);
+  s.energy = after;
   extremes_ = extremes;
-  power_ = time > time_ ? std::abs(work() - work_before_) / (time - time_) : 0;
-  time_ = time;
-  work_before_ = work();
-  worst_overlap_ = std::max(worst_overlap_, extremes.overlap_ratio);
-  largest_state_ = std::max(largest_state_, after.kinetic + after.contact_elastic + after.bond_elastic);
+  power_ = time > s.time ? std::abs(work() - s.work_before) / (time - s.time) : 0;
+  s.time = time;
+  s.work_before = work();
+  s.overlap_ratio = extremes.overlap_ratio;
+  s.worst_overlap = std::max(s.worst_overlap, extremes.overlap_ratio);
+  s.largest_state = std::max(s.largest_state, after.kinetic + after.contact_elastic + after.bond_elastic);
   return verdict(time);
 }
 
 double Ledger::work() const {
-  return std::abs(energy_.wall_work) + gravity_turnover_;
+  return std::abs(state_.energy.wall_work) + state_.gravity_turnover;
 }
 
 double Ledger::residual_fraction() const {
-  return work() > 0 ? energy_.residual() / work() : 0;
+  return work() > 0 ? state_.energy.residual() / work() : 0;
 }
 
 std::string Ledger::wall_name(Index wall) const {
@@ -41,7 +42,7 @@ std::string Ledger::passed_limit() const {
   std::ostringstream why;
   why.precision(4);
   if (!x.finite) {
-    why << "particle " << x.culprit << " has a place or velocity that is not finite";
+    why << "particle " << x.culprit << " has a position or velocity that is not finite";
   } else if (x.overlap_ratio > maximum.overlap_ratio) {
     why << "a contact of particle " << x.culprit << " with ";
     if (x.wall == none)
@@ -75,42 +76,22 @@ std::optional<std::string> Ledger::verdict(double time) const {
   if (const std::string passed = passed_limit(); !passed.empty()) {
     why << passed;
   } else {
-    const bool little = work() < largest_state_;
-    const double scale = little ? largest_state_ : work();
+    const bool little = work() < state_.largest_state;
+    const double scale = little ? state_.largest_state : work();
     const double lag = limits_.lag_steps * limits_.contact_step * power_;
-    // A balance that is not a number must not pass for one that is small.
-    if (std::abs(energy_.residual()) <= limits_.energy_fraction * scale + lag) return {};
-    why << "the energy balance is off by " << energy_.residual() << " J, " << 100 * energy_.residual() / scale
-        << " % of the " << (little ? "largest energy seen" : "work done") << "; at most "
-        << 100 * limits_.energy_fraction << " %";
+    // Written so that a residual that is not a number does not pass.
+    if (std::abs(state_.energy.residual()) <= limits_.energy_fraction * scale + lag) return {};
+    why << "the energy balance is off by " << state_.energy.residual() << " J, "
+        << 100 * state_.energy.residual() / scale << " % of the " << (little ? "largest energy seen" : "work done")
+        << "; at most " << 100 * limits_.energy_fraction << " %";
   }
   return stopped_at(time, why.str());
 }
 
-void Ledger::save(SavedState& to) const {
-  const Extremes& x = extremes_;
-  to.put_one("ledger/energy", energy_);
-  to.put("ledger/extremes",
-         std::vector<double>{double(x.finite), double(x.culprit), x.overlap_ratio, x.speed_ratio, x.rotation});
-  to.put("ledger/sums", std::vector<double>{potential_before_, gravity_work_, gravity_turnover_, largest_state_,
-                                            worst_overlap_, time_, work_before_});
-}
-
-void Ledger::restore(const SavedState& from) {
-  energy_ = from.get_one<EnergyTerms>("ledger/energy");
-  const std::vector<double> x = from.get<double>("ledger/extremes", 5), sums = from.get<double>("ledger/sums", 7);
-  extremes_.finite = x[0] != 0;
-  extremes_.culprit = static_cast<ParticleId>(x[1]);
-  extremes_.overlap_ratio = x[2];
-  extremes_.speed_ratio = x[3];
-  extremes_.rotation = x[4];
-  potential_before_ = sums[0];
-  gravity_work_ = sums[1];
-  gravity_turnover_ = sums[2];
-  largest_state_ = sums[3];
-  worst_overlap_ = sums[4];
-  time_ = sums[5];
-  work_before_ = sums[6];
+void Ledger::restore(const State& state) {
+  state_ = state;
+  extremes_ = {};
+  extremes_.overlap_ratio = state.overlap_ratio;
 }
 
 }  // namespace gyro

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/dem.hpp"
+#include "core/scene/accounts.hpp"
+#include "core/scene/scene.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -11,50 +12,79 @@
 
 namespace gyro {
 
-/// Limits beyond which a run stops instead of going on with numbers that look right.
+/// Limits beyond which a run stops instead of continuing with numbers that only look right.
 struct LedgerLimits {
-  /// Hertz's law is long left at an overlap of 0.3, where the log warns.
+  /// Of a single step. (Hertz's law no longer holds at an overlap ratio of 0.3, where the log warns.)
   StepLimits step;
-  /// Residual over the larger of the work done and the largest kinetic + elastic energy seen [-].
+  /// Residual over the larger of the work done and the largest kinetic + elastic energy so far [-].
   double energy_fraction = 0.05;
-  /// Step of the contacts, held ones included [s]. Their forces and the energies are up to one of it apart, so that the
-  /// balance may also be off by `lag_steps` times the work of such a step: much of all work just after the first touch.
+  /// Step of the contacts, a whole hold where forces are held [s]. Forces and energies may be one such step apart, so
+  /// the balance may also be off by `lag_steps` times the work of one step: much of all work just after the first
+  /// contact.
   double contact_step = 0;
   double lag_steps = 3;  ///< a force that grows as t^(3/2) does 5/2 of its mean work in the last step
 };
 
-/// Particles that came, went and are there.
+/// Particles that were inserted, that were discharged, and that are in the chamber.
 struct MassCount {
   std::int64_t fed = 0, discharged = 0, inside = 0;
   std::int64_t residual() const { return fed - discharged - inside; }
 };
 
-/// How a verdict begins.
+/// The text of a verdict.
 std::string stopped_at(double time, const std::string& why);
 
-/// The running balance of a run: energy, particles, and what the guard looks at.
+/// The energy balance of a run, and its guard. With E the kinetic, potential and elastic energies, L the losses
+/// (contact damping, friction, bond damping, energy of broken bonds), W the work of the walls and X the energy of
+/// inserted less removed rock, all since the start [J],
+///
+///   residual = E + L - W - X,   zero up to rounding and the error of the time integration.
+///
+/// The run must stop when |residual| exceeds energy_fraction of the work done by walls and gravity (or of the largest
+/// kinetic and elastic energy, where that is more), or when a step passes one of the step's limits.
 class Ledger {
  public:
+  /// What a checkpoint keeps.
+  struct State {
+    EnergyTerms energy;
+    double overlap_ratio = 0;                           ///< at the end of the last window [-]
+    double worst_overlap = 0;                           ///< of all windows [-]
+    double potential_before = 0, gravity_turnover = 0;  ///< [J]
+    double largest_state = 0;                           ///< kinetic + elastic energy [J]
+    double time = 0, work_before = 0;                   ///< end of the last window [s], work until then [J]
+
+    /// Calls f(name, field) for every field, to be read or filled.
+    template <class F, class S>
+    static constexpr void for_each_field(F&& f, S& s) {
+      f("energy", s.energy);
+      f("overlap_ratio", s.overlap_ratio);
+      f("worst_overlap", s.worst_overlap);
+      f("potential_before", s.potential_before);
+      f("gravity_turnover", s.gravity_turnover);
+      f("largest_state", s.largest_state);
+      f("time", s.time);
+      f("work_before", s.work_before);
+    }
+  };
+
   /// @param walls  names of the scene's walls, for messages
   explicit Ledger(LedgerLimits limits = {}, std::vector<std::string> walls = {})
       : limits_(limits), walls_(std::move(walls)) {}
 
-  /// Takes up the state before the window's rock came and went, so that gravity's work is that of the
-  /// DEM alone.
-  void open(const EnergyTerms& before) { potential_before_ = before.potential; }
-  /// Closes the window that ends at `time`.
-  /// @return why the run must not go on, with the id of the particle; nothing while all is well
+  /// Notes the state after rock was inserted or removed, so that gravity's work is that of the DEM alone.
+  void open(const EnergyTerms& before) { state_.potential_before = before.potential; }
+  /// Closes the window that ends at `time` [s].
+  /// @return why the run must stop, with the id of the particle; nothing while all is well
   std::optional<std::string> close(double time, const EnergyTerms& after, const Extremes& extremes);
 
-  const EnergyTerms& energy() const { return energy_; }
-  const Extremes& extremes() const { return extremes_; }
-  double worst_overlap() const { return worst_overlap_; }  ///< largest overlap / radius at the end of any window
-  double gravity_work() const { return gravity_work_; }    ///< [J]
+  const EnergyTerms& energy() const { return state_.energy; }
+  const Extremes& extremes() const { return extremes_; }         ///< of the last window
+  double worst_overlap() const { return state_.worst_overlap; }  ///< largest overlap / radius at any window's end
   /// Residual over the work that walls and gravity have done; 0 before any work.
   double residual_fraction() const;
 
-  void save(SavedState& to) const;
-  void restore(const SavedState& from);
+  const State& state() const { return state_; }
+  void restore(const State& state);
 
  private:
   double work() const;  ///< that walls and gravity have done or taken [J]
@@ -65,10 +95,9 @@ class Ledger {
 
   LedgerLimits limits_;
   std::vector<std::string> walls_;
-  EnergyTerms energy_;
+  State state_;
   Extremes extremes_;
-  double potential_before_ = 0, gravity_work_ = 0, gravity_turnover_ = 0, largest_state_ = 0, worst_overlap_ = 0;
-  double time_ = 0, work_before_ = 0, power_ = 0;  ///< end of the last window; work until then; mean power in it
+  double power_ = 0;  ///< mean in the last window [W]
 };
 
 }  // namespace gyro

@@ -30,10 +30,11 @@ std::vector<double> pressure(const std::vector<double>& impulse, const std::vect
 LinerMaps::LinerMaps(const Case& input, const Assembly& assembly) : asked_(input.output.liners) {
   if (!asked_) return;
   for (const WallPicture& picture : assembly.pictures) {
-    const Wall& wall = assembly.scene.walls[static_cast<std::size_t>(picture.wall)];
+    const Scene& scene = assembly.setup.scene;
+    const Wall& wall = scene.walls[static_cast<std::size_t>(picture.wall)];
     if (std::holds_alternative<PlaneShape>(wall.shape)) continue;
-    maps_.push_back({picture.wall, wall.name, friction_of(assembly.scene, wall),
-                     SurfaceMap(picture.mesh, asked_->rows, asked_->sectors)});
+    maps_.push_back(
+        {picture.wall, wall.name, friction_of(scene, wall), SurfaceMap(picture.mesh, asked_->rows, asked_->sectors)});
   }
 }
 

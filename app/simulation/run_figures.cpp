@@ -19,7 +19,8 @@ void add_product(Summary& s, const Case& input, const Assembly& assembly, const 
   s.product_below_css = passing_at(row.passing, input.crusher->closed_side_setting);
   s.product_below_oss = passing_at(row.passing, open_side_setting(*input.crusher));
   s.singles_share = row.singles_share;
-  if (input.bonds && !assembly.library.rocks.empty()) s.swell_of_crumbled = swell_of_crumbled(assembly.library);
+  if (input.bonds && !assembly.setup.library.rocks.empty())
+    s.swell_of_crumbled = swell_of_crumbled(assembly.setup.library);
 }
 
 void add_drive(Summary& s, const Simulation& simulation, const RunOutput& output) {
@@ -51,7 +52,7 @@ void add_figures(Summary& s, const Case& input, const Assembly& assembly, const 
     s.feed_mass = simulation.fed().mass;
     s.feed_waiting = simulation.fed().waiting;
   }
-  if (assembly.gyrating != none) s.mean_crushing_power = output.mean_crushing_power();
+  if (gyrating_wall(assembly.setup.scene) != none) s.mean_crushing_power = output.mean_crushing_power();
   if (simulation.product()) add_product(s, input, assembly, simulation, output);
   if (simulation.drivetrain()) add_drive(s, simulation, output);
 }

@@ -86,7 +86,8 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
                      const std::filesystem::path& directory, const SavedState* saved)
     : input_(input),
       assembly_(assembly),
-      has_mantle_(assembly.gyrating != none),
+      gyrating_(gyrating_wall(assembly.setup.scene)),
+      has_mantle_(gyrating_ != none),
       has_drive_(input.drivetrain || input.drivetrain_fmu),
       drive_knows_(input.drivetrain_fmu ? knowledge_of(input.drivetrain_fmu->links) : DriveKnowledge{}),
       has_bonds_(input.bonds.has_value()),
@@ -117,9 +118,8 @@ std::vector<Channel> RunOutput::series_channels() const {
     c.push_back({"crushing_power", "W"});
     c.push_back({"mantle_force", "N", 3});
   }
-  for (std::size_t w = 0; w < assembly_.scene.walls.size(); ++w)
-    if (static_cast<Index>(w) != assembly_.gyrating)
-      c.push_back({"wall_force_" + assembly_.scene.walls[w].name, "N", 3});
+  for (std::size_t w = 0; w < assembly_.setup.scene.walls.size(); ++w)
+    if (static_cast<Index>(w) != gyrating_) c.push_back({"wall_force_" + assembly_.setup.scene.walls[w].name, "N", 3});
   if (has_feed_) c.push_back({"feed_mass", "kg"});
   if (has_product_) {
     c.push_back({"discharged_mass", "kg"});
@@ -163,14 +163,15 @@ void RunOutput::begin(const Simulation& simulation) {
   if (input_.output.snapshots > 0) write_snapshot(simulation);
 }
 
-void RunOutput::take(const WindowResult& result, Simulation& simulation) {
+void RunOutput::take(const WindowResult& result, const Simulation& simulation) {
   add_means(result, simulation);
   time_ = simulation.time();
-  maps_.take(simulation.dem().take_wall_impulses(), time_, results_);
+  maps_.take(result.wall_impulses, time_, results_);
   if (simulation.drivetrain())
     gyrations_.add(time_, result.window.length(), simulation.drivetrain()->state().angle, result.crushing_power,
-                   simulation.holdup(), simulation.product() ? simulation.product()->state().mass : 0);
-  if (simulation.verdict() || due(input_.output.series, rows_ + 1, time_)) write_row(simulation);
+                   result.holdup_mass, result.discharged_mass);
+  if (has_bonds_) results_.append_breakages(result.breakages);
+  if (result.inspected) write_row(simulation);
   if (due(input_.output.snapshots, frames_, time_)) write_snapshot(simulation);
 }
 
@@ -206,9 +207,9 @@ void RunOutput::add_means(const WindowResult& result, const Simulation& simulati
   add("crushing_power", {result.crushing_power});
   add("mantle_force", {result.mantle_force.x, result.mantle_force.y, result.mantle_force.z});
   for (std::size_t w = 0; w < result.walls.size(); ++w) {
-    if (static_cast<Index>(w) == assembly_.gyrating) continue;
+    if (static_cast<Index>(w) == gyrating_) continue;
     const Vec3d& f = result.walls[w].force;
-    add("wall_force_" + assembly_.scene.walls[w].name, {f.x, f.y, f.z});
+    add("wall_force_" + assembly_.setup.scene.walls[w].name, {f.x, f.y, f.z});
   }
   if (!simulation.drivetrain()) return;
   const DrivetrainMeans& m = simulation.drivetrain()->means();
@@ -222,8 +223,7 @@ void RunOutput::add_means(const WindowResult& result, const Simulation& simulati
   add("power_residual", {m.power_residual});
 }
 
-void RunOutput::write_row(Simulation& simulation) {
-  if (simulation.dem().extremes().finite) simulation.inspect();  // what is nowhere is no product
+void RunOutput::write_row(const Simulation& simulation) {
   std::map<std::string, double> now;
   const Counts counts = simulation.dem().counts();
   now["time"] = simulation.time();
@@ -264,11 +264,9 @@ void RunOutput::write_row(Simulation& simulation) {
   results_.append_performance(
       std::vector<double>{now["time"], now["wall_seconds"], static_cast<double>(counts.particle_steps),
                           static_cast<double>(counts.bond_steps), static_cast<double>(counts.rebuilds)});
-  results_.append_breakages(has_bonds_ ? simulation.dem().take_breakages() : std::vector<Breakage>{});
   if (simulation.product()) write_curves(simulation);
   sums_.clear();
   summed_time_ = 0;
-  ++rows_;
 }
 
 void RunOutput::write_curves(const Simulation& simulation) {
@@ -319,8 +317,8 @@ void RunOutput::save(SavedState& to) const {
   for (const auto& [group, rows] : results_.rows()) to.put_one(rows_prefix + group + std::string(rows_suffix), rows);
   for (const auto& [name, sum] : sums_) to.put(sums_prefix + name, sum);
   to.put("output/numbers", std::vector<double>{summed_time_, discharged_before_, crushing_work_, time_, wall_seconds(),
-                                               input_.output.series, input_.output.snapshots});
-  to.put("output/intervals", std::vector<std::int64_t>{rows_, frames_});
+                                               input_.output.snapshots});
+  to.put_one("output/frames", frames_);
   to.put("output/snapshot_times", snapshots_.times());
   maps_.save(to);
   gyrations_.save(to);
@@ -330,20 +328,19 @@ void RunOutput::restore(const SavedState& from) {
   sums_ = columns_below<double>(from, sums_prefix);
   maps_.restore(from);
   gyrations_.restore(from);
-  const std::vector<double> numbers = from.get<double>("output/numbers", 7);
-  const auto intervals_over = from.get<std::int64_t>("output/intervals", 2);
+  const std::vector<double> numbers = from.get<double>("output/numbers", 6);
   summed_time_ = numbers[0];
   discharged_before_ = numbers[1];
   crushing_work_ = numbers[2];
   time_ = numbers[3];
   earlier_seconds_ = numbers[4];
-  // With another interval the next row or frame is the first that lies ahead.
+  // With another interval the next frame is the first that lies ahead.
   const CaseOutput& now = input_.output;
-  rows_ = now.series == numbers[5] ? intervals_over[0] : intervals(now.series, time_);
-  frames_ = now.snapshots == numbers[6] ? intervals_over[1] : intervals(now.snapshots, time_) + 1;
+  frames_ =
+      now.snapshots == numbers[5] ? from.get_one<std::int64_t>("output/frames") : intervals(now.snapshots, time_) + 1;
 }
 
-void RunOutput::close(Simulation& simulation) {
+void RunOutput::close(const Simulation& simulation) {
   if (summed_time_ > 0) write_row(simulation);
   maps_.close(results_);
   results_.close();

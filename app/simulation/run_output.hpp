@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/assembly/assembly.hpp"
 #include "app/simulation/liner_maps.hpp"
 #include "app/simulation/readings.hpp"
 #include "app/simulation/simulation.hpp"
@@ -28,14 +29,14 @@ class RunOutput {
   /// Writes the snapshot of the start, if the case asks for snapshots.
   void begin(const Simulation& simulation);
   /// Adds a window to the means; writes the row and the snapshot that are due.
-  void take(const WindowResult& result, Simulation& simulation);
+  void take(const WindowResult& result, const Simulation& simulation);
   /// Sums and places in the files between two windows.
   void save(SavedState& to) const;
   /// Waits until the disk has all rows: a checkpoint must never be ahead of them.
   void sync() { results_.sync(); }
   double earlier_seconds() const { return earlier_seconds_; }  ///< wall clock of the run's earlier parts
-  /// Writes what is left and closes the files.
-  void close(Simulation& simulation);
+  /// Writes what is left and closes the files. @param simulation  inspected at its end
+  void close(const Simulation& simulation);
 
   double mean_crushing_power() const { return time_ > 0 ? crushing_work_ / time_ : 0; }  ///< over the run [W]
   double crushing_work() const { return crushing_work_; }                                ///< [J]
@@ -50,7 +51,7 @@ class RunOutput {
   double wall_seconds() const;
   void add_probes(const Simulation& simulation, Row& now) const;
   void add_means(const WindowResult& result, const Simulation& simulation);
-  void write_row(Simulation& simulation);
+  void write_row(const Simulation& simulation);
   void write_curves(const Simulation& simulation);
   void write_ledger(const Simulation& simulation);
   void write_snapshot(const Simulation& simulation);
@@ -58,6 +59,7 @@ class RunOutput {
 
   const Case& input_;
   const Assembly& assembly_;
+  Index gyrating_;
   bool has_mantle_, has_drive_;
   DriveKnowledge drive_knows_;
   bool has_bonds_, has_feed_, has_product_;
@@ -72,7 +74,7 @@ class RunOutput {
   Row sums_;                ///< of window value x window length since the last row
   double summed_time_ = 0;  ///< [s]
   double discharged_before_ = 0, crushing_work_ = 0, time_ = 0;
-  std::int64_t rows_ = 0, frames_ = 0;  ///< intervals of output.series and output.snapshots that are over
+  std::int64_t frames_ = 0;  ///< intervals of output.snapshots that are over
 };
 
 }  // namespace gyro

@@ -1,92 +1,131 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/simulation/assembly.hpp"
 #include "app/simulation/ledger.hpp"
 #include "app/simulation/momentum_balance.hpp"
+#include "app/simulation/setup.hpp"
 #include "app/simulation/thin_wall_check.hpp"
-#include "core/feed/feed.hpp"
 #include "core/fragments/hold_up.hpp"
+#include "core/scene/dem.hpp"
 #include "mbd/drivetrain.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace gyro {
 
-/// What one window did, for the series.
+/// What happened in one window.
 struct WindowResult {
   Window window;
-  MantleLoad load;              ///< on the drive
-  Vec3d mantle_force{0, 0, 0};  ///< of the rock on the gyrating wall, mean [N]
-  double crushing_power = 0;    ///< [W]
-  std::vector<WallLoad> walls;  ///< one per wall
+  MantleLoad load;                         ///< on the drive
+  Vec3d mantle_force{0, 0, 0};             ///< of the rock on the first gyrating wall, mean [N]
+  double crushing_power = 0;               ///< mean [W]
+  std::vector<WallLoad> walls;             ///< one per wall
+  std::vector<Breakage> breakages;         ///< of bonds, by time
+  std::vector<WallImpulse> wall_impulses;  ///< empty unless scene.wall_impulses
+  double holdup_mass = 0;                  ///< at the end of the window, before its inspection [kg]
+  double discharged_mass = 0;              ///< likewise, since the start [kg]
+  bool inspected = false;                  ///< it ended with an inspection
 };
 
 /// The coupled run: DEM, drivetrain, feed, product and ledger, one window at a time.
 ///
-/// Serial staggered exchange (cf. Lommen, Lodewijks & Schott 2018): the drivetrain leads with a
-/// path, the rock answers with the work done along it, the drivetrain catches up.
+/// Serial staggered exchange (cf. Lommen, Lodewijks & Schott 2018): the drivetrain leads with a path, the rock responds
+/// with the work done along it, the drivetrain catches up.
 class Simulation {
  public:
-  /// @param dem  empty scene made from `assembly.scene`
-  /// @throws BadKey for a start state or a feed that cannot be had
-  Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem);
-  /// Goes on from what a simulation of the same case has saved. @throws BadInput for another one's
-  Simulation(const Case& input, const Assembly& assembly, std::unique_ptr<Dem> dem, const SavedState& saved);
+  /// @param setup       see setup.hpp
+  /// @param dem         empty scene made from setup.scene, on any device
+  /// @param drivetrain  moves the gyrating walls; without one they stand still
+  /// @param saved       what a simulation of the same setup has saved, to continue from; null: starts at t = 0
+  /// @throws BadSetup for a setup that cannot be run; BadInput for the saved state of another run
+  Simulation(Setup setup, std::unique_ptr<Dem> dem, std::optional<Drivetrain> drivetrain = {},
+             const SavedState* saved = nullptr);
+  Simulation(const Simulation&) = delete;  // the feed refers to the setup
+  Simulation& operator=(const Simulation&) = delete;
 
-  /// Advances by one window. Ask for the verdict before the next one.
-  WindowResult advance();
-  /// Why the last window must be the last; nothing while all is well.
+  /// Advances by one window, and inspects when setup.inspection_interval asks for it. Ask for the verdict before the
+  /// next.
+  /// @param max_steps  makes the window shorter than setup.steps_per_window; at least one hold is done
+  WindowResult advance(int max_steps = std::numeric_limits<int>::max());
+  /// Why the last window must be the last; empty while all is well.
   const std::optional<std::string>& verdict() const { return verdict_; }
   /// @throws StoppedByGuard with the verdict, if there is one
   void require_sound() const;
 
-  /// Looks at the fragments: counts what has passed the discharge plane, takes out what has left. Particles that touch
-  /// through a sheet are a verdict.
-  /// Called once per row of the series.
+  /// Looks at the fragments now: counts those that have passed the discharge plane and removes those far below it. Two
+  /// particles that touch through a mesh wall are a verdict. Does nothing where any position is not finite.
   void inspect();
 
-  double time() const { return static_cast<double>(step_) * assembly_.scene.dt; }
+  const Setup& setup() const { return setup_; }
+  double time() const { return static_cast<double>(state_.step) * setup_.scene.dt; }  ///< [s]
   const Dem& dem() const { return *dem_; }
-  Dem& dem() { return *dem_; }
   const Ledger& ledger() const { return ledger_; }
   const MomentumBalance& momentum() const { return momentum_; }
   const std::optional<Drivetrain>& drivetrain() const { return drivetrain_; }
   const std::optional<Feed>& feed() const { return feed_; }
   const std::optional<Product>& product() const { return product_; }
-  /// What the chamber held at the last inspection.
+  /// Content of the chamber at the last inspection.
   const std::optional<HoldUp>& hold_up() const { return hold_up_; }
   FeedAccount fed() const;
-  double start_mass() const { return start_mass_; }  ///< of the case's `particles` [kg]
-  double holdup() const;                             ///< mass between feed and discharge [kg]
+  double start_mass() const { return state_.start_mass; }  ///< of setup.start [kg]
+  double holdup() const;                                   ///< mass between feed and discharge [kg]
   /// Whether the chamber takes less than the feed gives: more rock waits for room than one gyration feeds.
   bool choked() const;
-  /// Why there can be no checkpoints of this run; empty when there can.
+  /// Why this run can have no checkpoints; empty when it can.
   std::string unsaveable() const { return drivetrain_ ? drivetrain_->unsaveable() : std::string(); }
-  /// What the drivetrain has to say since it was asked last, for the log.
+  /// Messages of the drive since the last call, for the log.
   std::vector<std::string> take_drive_notes() {
     return drivetrain_ ? drivetrain_->take_notes() : std::vector<std::string>{};
   }
   MassCount mass_count() const;
-  std::int64_t fragments() const { return fragments_; }
-  double largest_fragment() const { return largest_fragment_; }  ///< mass of the heaviest [kg]
-  std::int64_t bonds_initial() const { return bonds_put_in_; }
-  /// What must be kept to go on bit for bit, between windows of a sound run.
+  std::int64_t fragments() const { return state_.fragments; }          ///< at the last inspection
+  double largest_fragment() const { return state_.largest_fragment; }  ///< mass of the heaviest at that time [kg]
+  std::int64_t bonds_initial() const { return state_.bonds_inserted; }
+  /// What must be kept to continue bit for bit, between windows of a sound run.
   SavedState save() const;
 
  private:
-  void make_parts();
+  /// What a checkpoint keeps besides the parts that keep their own.
+  struct State {
+    double time_step = 0, inspection_interval = 0;  ///< [s]
+    std::int64_t step = 0;
+    std::int64_t inspections = 0;  ///< that were due so far
+    std::int64_t particles_inserted = 0, bonds_inserted = 0, fragments = 0;
+    double start_mass = 0, mass_inside = 0, largest_fragment = 0;  ///< [kg]
+
+    template <class F, class S>
+    static constexpr void for_each_field(F&& f, S& s) {
+      f("time_step", s.time_step);
+      f("inspection_interval", s.inspection_interval);
+      f("step", s.step);
+      f("inspections", s.inspections);
+      f("particles_inserted", s.particles_inserted);
+      f("bonds_inserted", s.bonds_inserted);
+      f("fragments", s.fragments);
+      f("start_mass", s.start_mass);
+      f("mass_inside", s.mass_inside);
+      f("largest_fragment", s.largest_fragment);
+    }
+  };
+
+  void start();
   void restore(const SavedState& saved);
-  int steps_ahead() const;
-  void put_in(std::span<const NewRock> rocks);
+  int steps_ahead(int max_steps) const;
+  void insert(std::span<const NewRock> rocks);
   void feed_rock();
+  void note_load(WindowResult& result, const MantlePath& path) const;
   void close_balances(const WindowResult& result);
   void open_balances();
-  MantleLoad mantle_load(const std::vector<WallLoad>& walls, const MantlePath& path, double length) const;
+  bool inspection_due() const;
+  void count_product(const ParticleSnapshot& particles, const FragmentTable& table);
 
-  const Case& input_;
-  const Assembly& assembly_;
+  Setup setup_;
+  double rock_density_;  ///< [kg/m3]
   std::unique_ptr<Dem> dem_;
   std::optional<Drivetrain> drivetrain_;
   std::optional<Feed> feed_;
@@ -96,9 +135,8 @@ class Simulation {
   MomentumBalance momentum_;
   ThinWallCheck thin_walls_;
   std::optional<std::string> verdict_;
-  std::int64_t step_ = 0;
-  std::int64_t particles_put_in_ = 0, bonds_put_in_ = 0, fragments_ = 0;
-  double start_mass_ = 0, mass_inside_ = 0, largest_fragment_ = 0;  ///< [kg]
+  State state_;
+  std::int64_t inspected_at_ = -1;  ///< step of the last inspection
 };
 
 }  // namespace gyro

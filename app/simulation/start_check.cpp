@@ -2,9 +2,10 @@
 #include "app/simulation/start_check.hpp"
 
 #include "core/base/errors.hpp"
-#include "core/dem/contact_laws.hpp"
 #include "core/feed/bed.hpp"
 #include "core/feed/wall_distance.hpp"
+#include "core/laws/contact/constants.hpp"
+#include "core/laws/contact/models.hpp"
 #include "core/scene/wall_motion.hpp"
 
 #include <algorithm>
@@ -16,17 +17,32 @@
 namespace gyro {
 namespace {
 
-/// Speed at which a contact of the start state may throw its two bodies apart [m/s]. Beds of rock settled under
-/// one metre of their own kind stay below 0.1 m/s.
+/// Largest speed at which a contact of the start state may throw its two bodies apart [m/s]. Beds of rock that have
+/// settled under one metre of the same rock stay below 0.1 m/s.
 constexpr double max_speed = 0.2;
 
-/// A contact of two bodies at rest: Hertz's energy 8/15 E* sqrt(R*) d^2.5 becomes 1/2 m* v^2.
+/// A contact of two bodies at rest: the energy of its normal spring becomes 1/2 m* v^2.
 struct Contact {
-  double youngs, radius, mass, overlap;
+  ContactModel model;
+  ContactConstants<double> constants;
+  double radius;   ///< R* [m]
+  double mass;     ///< m* [kg]
+  double overlap;  ///< [m]
 
-  double factor() const { return 16.0 / 15 * youngs * std::sqrt(radius) / mass; }
-  double speed() const { return std::sqrt(factor() * std::pow(overlap, 2.5)); }
-  double max_overlap() const { return std::pow(max_speed * max_speed / factor(), 0.4); }
+  double speed_at(double depth) const {
+    const ExtraHistory<double> fresh{};
+    return std::sqrt(2 * contact_energy(model, constants, radius, {{0, 0, 0}, depth, {0, 0, 0}}, &fresh) / mass);
+  }
+  double speed() const { return speed_at(overlap); }
+  /// By bisection: the speed rises with the overlap.
+  double max_overlap() const {
+    double low = 0, high = overlap;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      (speed_at(middle) > max_speed ? high : low) = middle;
+    }
+    return low;
+  }
 };
 
 double mass_of(const NewParticle& p) {
@@ -39,7 +55,7 @@ void expect_gentle(const Contact& contact, double smaller_radius, const std::str
   message.precision(3);
   message << bodies << " by " << contact.overlap * 1e3 << " mm, " << contact.overlap / smaller_radius
           << " of the radius, and would be thrown apart at " << contact.speed() << " m/s; an overlap of up to "
-          << contact.max_overlap() * 1e3 << " mm is accepted";
+          << contact.max_overlap() * 1e3 << " mm is possible";
   throw BadInput(message.str());
 }
 
@@ -58,7 +74,8 @@ std::set<std::pair<Index, Index>> bonded_pairs(const NewRock& rock) {
 }
 
 void check_pairs(const Scene& scene, std::span<const NewRock> rocks) {
-  const double youngs = contact_law<double>(scene, scene.rock_material, scene.rock_material).youngs;
+  const ContactModel model = rock_model(scene);
+  const auto constants = contact_constants<double>(scene, scene.rock_material, scene.rock_material);
   Bed bed;
   std::vector<Placed> placed;
   for (std::size_t r = 0; r < rocks.size(); ++r) {
@@ -70,7 +87,7 @@ void check_pairs(const Scene& scene, std::span<const NewRock> rocks) {
         const Placed& q = placed[static_cast<std::size_t>(other)];
         if (q.rock == r && bonded.contains({q.number, number})) continue;
         const double a = p.radius, b = q.particle->radius, m = mass_of(p), n = mass_of(*q.particle);
-        const Contact contact{youngs, a * b / (a + b), m * n / (m + n),
+        const Contact contact{model, constants, a * b / (a + b), m * n / (m + n),
                               a + b - norm(p.position - q.particle->position)};
         expect_gentle(contact, std::min(a, b),
                       "particles " + std::to_string(q.particle->id) + " and " + std::to_string(p.id) + " overlap");
@@ -84,15 +101,16 @@ void check_pairs(const Scene& scene, std::span<const NewRock> rocks) {
 void check_wall(const Scene& scene, const Wall& wall, std::span<const NewRock> rocks, double largest) {
   const WallDistance distance(wall, 2 * largest);
   const WallPose pose = pose_of(wall, 0, {});
-  const double youngs = contact_law<double>(scene, scene.rock_material, wall.material).youngs;
+  const ContactModel model = wall_model(scene);
+  const auto constants = contact_constants<double>(scene, scene.rock_material, wall.material);
   for (const NewRock& rock : rocks)
     for (const NewParticle& p : rock.particles) {
       const double overlap = p.radius - distance.at(pose, p.position);
       if (overlap <= 0) continue;
       const std::string name = "particle " + std::to_string(p.id);
       if (overlap > p.radius)
-        throw BadInput(name + " lies behind wall " + wall.name + "; a place in front of it is accepted");
-      expect_gentle({youngs, p.radius, mass_of(p), overlap}, p.radius, name + " overlaps wall " + wall.name);
+        throw BadInput(name + " lies behind wall " + wall.name + "; move it in front of the wall");
+      expect_gentle({model, constants, p.radius, mass_of(p), overlap}, p.radius, name + " overlaps wall " + wall.name);
     }
 }
 

@@ -10,7 +10,7 @@
 namespace gyro {
 namespace {
 
-/// Whether the straight way from p to q passes through a triangle.
+/// Whether the straight line from p to q passes through a triangle.
 bool passes(const Vec3d& p, const Vec3d& q, const WallTriangle& t) {
   const double from = dot(p - t.a, t.normal), to = dot(q - t.a, t.normal);
   if (!(from * to < 0)) return false;
@@ -30,23 +30,23 @@ bool passes(const Vec3d& p, const Vec3d& q, const MeshGrid& grid) {
 ThinWallCheck::ThinWallCheck(const Scene& scene) {
   for (std::size_t w = 0; w < scene.walls.size(); ++w)
     if (const auto* mesh = std::get_if<TriangleMesh>(&scene.walls[w].shape))
-      thin_walls_.push_back({w, scene.walls[w].name, MeshGrid(*mesh)});
+      mesh_walls_.push_back({w, scene.walls[w].name, MeshGrid(*mesh)});
 }
 
 std::optional<std::string> ThinWallCheck::find(const ParticleSnapshot& particles,
                                                std::span<const WallPose> poses) const {
-  for (const Sheet& sheet : thin_walls_)
-    if (auto found = find_through(sheet, poses[sheet.wall], particles)) return found;
+  for (const MeshWall& wall : mesh_walls_)
+    if (auto found = find_through(wall, poses[wall.number], particles)) return found;
   return {};
 }
 
-/// Spheres that are clear of a wall cannot meet inside it: of each pair at least one touches the sheet.
-std::optional<std::string> ThinWallCheck::find_through(const Sheet& sheet, const WallPose& pose,
+/// Of two spheres that touch through a wall at least one touches the wall.
+std::optional<std::string> ThinWallCheck::find_through(const MeshWall& wall, const WallPose& pose,
                                                        const ParticleSnapshot& s) {
   Bed touching;
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < s.size(); ++k)
-    if (touch_mesh(sheet.grid.view(), to_body(pose, s.position[k]), s.radius[k]).count > 0) {
+    if (touch_mesh(wall.grid.view(), to_body(pose, s.position[k]), s.radius[k]).count > 0) {
       touching.add(s.position[k], s.radius[k]);
       rows.push_back(k);
     }
@@ -55,13 +55,12 @@ std::optional<std::string> ThinWallCheck::find_through(const Sheet& sheet, const
     for (const Index number : touching.overlapped(s.position[k], s.radius[k])) {
       const std::size_t other = rows[static_cast<std::size_t>(number)];
       if (other == k) continue;
-      if (!passes(to_body(pose, s.position[k]), to_body(pose, s.position[other]), sheet.grid)) continue;
+      if (!passes(to_body(pose, s.position[k]), to_body(pose, s.position[other]), wall.grid)) continue;
       const double overlap = s.radius[k] + s.radius[other] - norm(s.position[k] - s.position[other]);
       std::ostringstream words;
       words.precision(3);
-      words << "particles " << s.id[k] << " and " << s.id[other] << " touch each other through wall " << sheet.name
-            << ", by " << overlap * 1e3
-            << " mm; a wall thicker than the overlaps on both of its sides keeps them apart";
+      words << "particles " << s.id[k] << " and " << s.id[other] << " touch each other through wall " << wall.name
+            << ", by " << overlap * 1e3 << " mm; use a wall that is thicker than the overlaps on both of its sides";
       return words.str();
     }
   return {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation/time_step.hpp"
 
-#include "app/simulation/bad_key.hpp"
-#include "core/dem/contact_laws.hpp"
+#include "core/laws/contact/constants.hpp"
+#include "core/laws/contact/models.hpp"
 #include "core/scene/wall_motion.hpp"
 
 #include <algorithm>
@@ -14,32 +14,19 @@ namespace gyro {
 
 BedContacts bed_contacts(const Scene& scene) {
   constexpr double number = 6, overlap = 0.05;
-  const ContactLaw<double> law = contact_law<double>(scene, scene.rock_material, scene.rock_material);
-  const double root = std::sqrt(0.5 * overlap);  // sqrt(R* delta)/R for equal spheres
+  const ContactConstants<double> law = contact_constants<double>(scene, scene.rock_material, scene.rock_material);
+  const ContactStiffness stiffness = contact_stiffness(rock_model(scene), law, 0.5, overlap);  // R* of R = 1
   BedContacts bed;
   bed.number = number;
-  bed.normal_stiffness = 2 * law.youngs * root;
-  bed.tangential_stiffness = 8 * law.shear * root;
-  bed.normal_damping = bed.tangential_damping = std::sqrt(5.0 / 6) * law.damping;
+  bed.normal_stiffness = stiffness.normal;
+  bed.tangential_stiffness = stiffness.tangential + stiffness.rolling;
+  bed.normal_damping = bed.tangential_damping = stiffness.damping;
   return bed;
 }
 
-BondParameters bond_parameters(const CaseBonds& bonds) {
-  BondParameters p;
-  if (const auto* area = std::get_if<StiffnessPerArea>(&bonds.stiffness)) {
-    p.normal_stiffness = area->normal;
-    p.shear_stiffness = area->shear;
-  } else {
-    const auto& modulus = std::get<StiffnessFromModulus>(bonds.stiffness);
-    p.normal_modulus = modulus.modulus;
-    p.shear_modulus = modulus.modulus / modulus.ratio;
-  }
-  p.tensile_strength = bonds.tensile_strength;
-  p.shear_strength = bonds.shear_strength;
-  p.damping = bonds.damping;
-  return p;
-}
+namespace {
 
+/// A rock of a start state in the form of a template, for its critical step.
 RockTemplate as_template(const NewRock& rock, const std::string& name) {
   RockTemplate t;
   t.name = name;
@@ -52,8 +39,6 @@ RockTemplate as_template(const NewRock& rock, const std::string& name) {
   t.colour_begin = rock.colour_begin;
   return t;
 }
-
-namespace {
 
 struct Limit {
   double step = std::numeric_limits<double>::infinity();
@@ -76,7 +61,7 @@ Limits stability_limits(const Scene& scene, const RockLibrary& library, std::spa
   Limits limits;
   Limit& limit = limits.minimum;
   double smallest = 1e300, density = 0;
-  const auto see_particle = [&](double radius, double rho) {
+  const auto consider_particle = [&](double radius, double rho) {
     if (radius * std::sqrt(rho) < smallest * std::sqrt(density > 0 ? density : rho)) {
       smallest = radius;
       density = rho;
@@ -84,14 +69,14 @@ Limits stability_limits(const Scene& scene, const RockLibrary& library, std::spa
   };
   for (const RockTemplate& rock : library.rocks) {
     if (scene.bonds) limit.consider(rock.critical_step, "bonds of rock " + rock.name);
-    for (const double r : rock.radii) see_particle(r, rock.particle_density);
+    for (const double r : rock.radii) consider_particle(r, rock.particle_density);
   }
   for (const NewRock& rock : start) {
     if (scene.bonds && !rock.bonds.empty()) {
       const std::string name = std::to_string(rock.id);
       limit.consider(critical_step(as_template(rock, name), *scene.bonds, bed), "bonds of rock " + name);
     }
-    for (const NewParticle& p : rock.particles) see_particle(p.radius, p.density);
+    for (const NewParticle& p : rock.particles) consider_particle(p.radius, p.density);
   }
   if (density > 0) {
     std::ostringstream what;
@@ -102,18 +87,7 @@ Limits stability_limits(const Scene& scene, const RockLibrary& library, std::spa
   return limits;
 }
 
-/// Held forces are a leapfrog of the contacts with a step of the whole hold. @throws BadKey
-void check_hold(double held, double contact_limit, double step) {
-  constexpr double share = 0.5;
-  if (held <= share * contact_limit) return;
-  std::ostringstream message;
-  message << "numerics.substeps would hold contact forces for " << held << " s; at most half their stability limit of "
-          << contact_limit << " s is accepted, which is " << std::max(1, static_cast<int>(share * contact_limit / step))
-          << " sub-steps of " << step << " s";
-  throw BadKey("numerics.substeps", message.str());
-}
-
-/// The step in which the fastest wall sweeps the allowed share of the smallest radius.
+/// The step in which the fastest wall of given motion sweeps the allowed share of the smallest radius.
 Limit sweep_limit(const Scene& scene, double smallest_radius) {
   Limit limit;
   for (const Wall& wall : scene.walls) {
@@ -132,48 +106,73 @@ double smallest_radius(const RockLibrary& library, std::span<const NewRock> star
   return smallest;
 }
 
-[[noreturn]] void refuse_step(double wanted, const std::string& what, double maximum, const std::string& remedy) {
+[[noreturn]] void refuse_step(double wanted, const std::string& what, double maximum, const std::string& condition) {
   std::ostringstream message;
-  message << "time.step " << wanted << " s is above " << what << "; at most " << maximum << " s" << remedy
-          << ", or auto, is accepted";
-  throw BadKey("time.step", message.str());
+  message << "the time step of " << wanted << " s is above " << what << "; it must be at most " << maximum << " s"
+          << condition << ", or be chosen by the program";
+  throw BadInput(message.str());
 }
 
-void check_step(double wanted, const Limit& stable, double safety, const Limit& sweep) {
+void check_step(double wanted, const Limit& stable, double safety, const Limit& sweep, double speed_ratio) {
   constexpr double rounding = 1 + 1e-9;
   std::ostringstream what;
   if (wanted > rounding * safety * stable.step) {
     what << safety << " of the stability limit of " << stable.step << " s (" << stable.by << ")";
-    refuse_step(wanted, what.str(), safety * stable.step, " at this time.safety");
+    refuse_step(wanted, what.str(), safety * stable.step, " at this safety factor");
   }
   if (wanted > rounding * sweep.step) {
-    what << "the step in which no wall moves by more than 0.2 of the smallest radius (" << sweep.by << ")";
+    what << "the step in which no wall moves by more than " << speed_ratio << " of the smallest radius (" << sweep.by
+         << ")";
     refuse_step(wanted, what.str(), sweep.step, "");
   }
 }
 
 }  // namespace
 
-StepChoice choose_step(const Case& input, const Scene& scene, const RockLibrary& library,
-                       std::span<const NewRock> start) {
-  const Limits limits = stability_limits(scene, library, start);
+StepChoice choose_step(const Setup& setup, const StepRequest& request) {
+  const Scene& scene = setup.scene;
+  check_scene(scene);
+  const Limits limits = stability_limits(scene, setup.library, setup.start);
   const Limit& stable = limits.minimum;
-  const int hold = input.numerics.substeps;
-  Limit sweep = sweep_limit(scene, smallest_radius(library, start));
-  sweep.step /= hold;  // contacts are looked at once a hold
+  const int hold = scene.substeps;
+  Limit sweep = sweep_limit(scene, smallest_radius(setup.library, setup.start));
+  sweep.step /= hold;  // contacts are evaluated once per hold
   StepChoice choice;
-  const bool swept = sweep.step < input.time.safety * stable.step;
+  const bool swept = sweep.step < request.safety * stable.step;
   choice.limit = swept ? sweep.step : stable.step;
   choice.limited_by = swept ? sweep.by : stable.by;
-  double wanted = std::min({input.time.safety * stable.step, sweep.step, input.coupling_interval});
-  if (input.time.step) {
-    wanted = *input.time.step;
-    check_step(wanted, stable, input.time.safety, sweep);
+  choice.contact_limit = limits.contacts;
+  double wanted = std::min({request.safety * stable.step, sweep.step, request.window});
+  if (request.step) {
+    wanted = *request.step;
+    check_step(wanted, stable, request.safety, sweep, scene.limits.speed_ratio);
   }
-  choice.per_window = hold * static_cast<int>(std::ceil(input.coupling_interval / wanted / hold * (1 - 1e-9)));
-  choice.dt = input.coupling_interval / choice.per_window;
-  if (hold > 1) check_hold(hold * choice.dt, limits.contacts, choice.dt);
+  choice.steps_per_window = hold * static_cast<int>(std::ceil(request.window / wanted / hold * (1 - 1e-9)));
+  choice.dt = request.window / choice.steps_per_window;
   return choice;
+}
+
+void check_hold(const StepChoice& choice, int substeps) {
+  constexpr double share = 0.5;
+  const double held = substeps * choice.dt, maximum = share * choice.contact_limit;
+  if (substeps == 1 || held <= maximum) return;
+  std::ostringstream message;
+  message << substeps << " sub-steps would hold contact forces for " << held
+          << " s; at most half their stability limit of " << choice.contact_limit << " s is possible, which is "
+          << std::max(1, static_cast<int>(maximum / choice.dt)) << " sub-steps of " << choice.dt << " s";
+  throw BadInput(message.str());
+}
+
+StepChoice set_step(Setup& setup, const StepRequest& request) {
+  const StepChoice choice = choose_step(setup, request);
+  check_hold(choice, setup.scene.substeps);
+  set_step(setup, choice);
+  return choice;
+}
+
+void set_step(Setup& setup, const StepChoice& choice) {
+  setup.scene.dt = choice.dt;
+  setup.steps_per_window = choice.steps_per_window;
 }
 
 }  // namespace gyro

@@ -21,63 +21,57 @@ std::regex expression(const std::string& text) {
   try {
     return std::regex(text, std::regex::ECMAScript | std::regex::icase);
   } catch (const std::regex_error& problem) {
-    throw BadInput("--filter: '" + text + "' is no regular expression (" + problem.what() +
-                   "); accepted is one as in ECMAScript, searched in group/case/quantity");
+    throw BadInput("--filter: '" + text + "' is not a regular expression (" + problem.what() +
+                   "); write one in ECMAScript's syntax, it is searched in group/case/quantity");
   }
 }
 
-std::string group_of(const Case& verification) {
-  return verification.name.substr(0, verification.name.find('/'));
+/// Empty if the list has no names for it.
+std::vector<std::string> names_of(const CheckNames& names, const Verification& verification) {
+  const auto found = names.find(verification.name);
+  return found == names.end() ? std::vector<std::string>{} : found->second;
 }
 
-bool any_matches(const std::vector<std::string>& names, const std::regex& wanted) {
-  return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return std::regex_search(n, wanted); });
+BadInput nothing_fits(std::span<const Verification> verifications, const std::string& filter, bool only_nightly) {
+  if (only_nightly) return BadInput("--filter: only nightly checks fit '" + filter + "'; add --nightly to run them");
+  std::string groups, last;
+  for (const Verification& v : verifications)
+    if (v.group() != last) groups += " " + (last = v.group());
+  return BadInput("--filter: no check fits '" + filter +
+                  "'; give a part of a name group/case/quantity, the groups are" + groups);
 }
 
-/// None if nobody listed the case.
-std::vector<std::string> lines_of(const Lines& lines, const Case& verification) {
-  const auto found = lines.find(verification.name);
-  return found == lines.end() ? std::vector<std::string>{} : found->second;
-}
-
-/// The cases that print a line of that name. One that is not listed runs, and is found out.
-std::vector<const Case*> chosen(std::span<const Case> cases, const Lines& lines, const VerifyArguments& arguments) {
-  const std::regex wanted = expression(arguments.filter);
-  std::vector<const Case*> found;
+/// The verifications with a check that the filter fits. One without listed names is among them: running it shows what
+/// the list lacks. @throws BadInput if there is none
+std::vector<const Verification*> selected(std::span<const Verification> verifications, const CheckNames& names,
+                                          const ReportOptions& options) {
+  const std::regex filter = expression(options.filter);
+  std::vector<const Verification*> found;
   bool only_nightly = false;
-  for (const Case& c : cases) {
-    const std::vector<std::string> names = lines_of(lines, c);
-    if (!names.empty() && !any_matches(names, wanted)) continue;
-    if (c.when == Case::When::nightly && !arguments.nightly)
+  for (const Verification& v : verifications) {
+    const std::vector<std::string> own = names_of(names, v);
+    const bool fits =
+        own.empty() || std::any_of(own.begin(), own.end(), [&](const auto& n) { return std::regex_search(n, filter); });
+    if (!fits) continue;
+    if (v.when == When::nightly && !options.nightly)
       only_nightly = true;
     else
-      found.push_back(&c);
+      found.push_back(&v);
   }
-  if (!found.empty()) return found;
-  std::string groups, last;
-  for (const Case& c : cases)
-    if (group_of(c) != last) groups += " " + (last = group_of(c));
-  throw BadInput("--filter: " +
-                 (only_nightly ? "only long checks are called '" + arguments.filter + "'; --nightly runs them"
-                               : "no check is called '" + arguments.filter + "'; a part of group/case/quantity is " +
-                                     "accepted, the groups are" + groups));
+  if (found.empty()) throw nothing_fits(verifications, options.filter, only_nightly);
+  return found;
 }
 
-/// @throws std::logic_error unless a case printed the lines that it is listed with
-void require_listed(const std::string& name, const std::vector<std::string>& lines, const std::vector<Check>& checks) {
-  std::set<std::string> printed;
-  for (const Check& check : checks) printed.insert(check.name);
-  const std::set<std::string> listed(lines.begin(), lines.end());
-  std::vector<std::string> differ;
-  std::set_symmetric_difference(printed.begin(), printed.end(), listed.begin(), listed.end(),
-                                std::back_inserter(differ));
-  if (differ.empty()) return;
-  std::string names;
-  for (const std::string& one : differ) names += " " + one;
-  throw std::logic_error("app/verify/lines.txt and the lines of " + name + " differ:" + names);
+/// Names that are only in the list or only among the checks that ran.
+std::vector<std::string> differing_names(const std::vector<std::string>& listed, const std::vector<Check>& checks) {
+  std::set<std::string> ran;
+  for (const Check& check : checks) ran.insert(check.name);
+  const std::set<std::string> known(listed.begin(), listed.end());
+  std::vector<std::string> differing;
+  std::set_symmetric_difference(ran.begin(), ran.end(), known.begin(), known.end(), std::back_inserter(differing));
+  return differing;
 }
 
-/// What became of a group.
 struct GroupTotal {
   std::string name;
   int checks = 0, failed = 0;
@@ -119,43 +113,65 @@ nlohmann::json to_json(const GroupTotal& g) {
   return {{"name", g.name}, {"checks", g.checks}, {"failed", g.failed}, {"seconds", g.seconds}};
 }
 
-}  // namespace
+/// Prints checks as lines while they come, or all of them as JSON at the end; keeps the totals of the groups.
+class Printer {
+ public:
+  explicit Printer(bool json) : json_(json) {
+    if (!json_) print_head();
+  }
 
-int report(std::span<const Case> cases, const Lines& lines, const VerifyArguments& arguments) {
-  using Clock = std::chrono::steady_clock;
-  const std::vector<const Case*> selected = chosen(cases, lines, arguments);
-  const std::regex wanted = expression(arguments.filter);
-  nlohmann::json checks = nlohmann::json::array();
-  std::vector<GroupTotal> groups;
-  int failed = 0;
-  if (!arguments.json) print_head();
-  for (const Case* one : selected) {
-    const Case& verification = *one;
-    if (groups.empty() || groups.back().name != group_of(verification)) groups.push_back({group_of(verification)});
-    GroupTotal& group = groups.back();
-    const Clock::time_point begin = Clock::now();
-    const std::vector<Check> all = run(verification);
-    require_listed(verification.name, lines_of(lines, verification), all);
-    for (const Check& check : all) {
-      if (!std::regex_search(check.name, wanted)) continue;
-      ++group.checks;
-      if (!check.pass()) ++group.failed;
-      if (arguments.json)
-        checks.push_back(to_json(check));
+  void add(const std::string& group, const std::vector<Check>& checks, double seconds) {
+    if (groups_.empty() || groups_.back().name != group) groups_.push_back({group});
+    groups_.back().seconds += seconds;
+    for (const Check& check : checks) {
+      ++groups_.back().checks;
+      if (!check.pass()) ++groups_.back().failed;
+      if (json_)
+        checks_.push_back(to_json(check));
       else
         print(check);
     }
-    group.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   }
-  for (const GroupTotal& g : groups) failed += g.failed;
-  if (arguments.json) {
-    nlohmann::json totals = nlohmann::json::array();
-    for (const GroupTotal& g : groups) totals.push_back(to_json(g));
-    std::cout << nlohmann::json{{"checks", checks}, {"groups", totals}}.dump(2) << "\n";
-  } else {
-    print(groups);
+
+  /// @return whether all checks passed
+  bool finish() const {
+    if (json_) {
+      nlohmann::json totals = nlohmann::json::array();
+      for (const GroupTotal& g : groups_) totals.push_back(to_json(g));
+      std::cout << nlohmann::json{{"checks", checks_}, {"groups", totals}}.dump(2) << "\n";
+    } else {
+      print(groups_);
+    }
+    return std::all_of(groups_.begin(), groups_.end(), [](const GroupTotal& g) { return g.failed == 0; });
   }
-  return failed > 0 ? exit_check_failed : exit_done;
+
+ private:
+  bool json_;
+  nlohmann::json checks_ = nlohmann::json::array();
+  std::vector<GroupTotal> groups_;
+};
+
+}  // namespace
+
+bool report(std::span<const Verification> verifications, const CheckNames& names, const ReportOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const std::vector<const Verification*> chosen = selected(verifications, names, options);
+  const std::regex filter = expression(options.filter);
+  Printer printer(options.json);
+  std::string differing;
+  for (const Verification* verification : chosen) {
+    const Clock::time_point begin = Clock::now();
+    std::vector<Check> checks = run(*verification);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    for (const std::string& name : differing_names(names_of(names, *verification), checks)) differing += " " + name;
+    std::erase_if(checks, [&](const Check& check) { return !std::regex_search(check.name, filter); });
+    printer.add(verification->group(), checks, seconds);
+  }
+  const bool passed = printer.finish();
+  if (!differing.empty())
+    throw std::logic_error("app/verify/names.txt and the checks that ran differ in" + differing +
+                           "; scripts/verify_names.py rewrites the list");
+  return passed;
 }
 
 }  // namespace gyro::verify

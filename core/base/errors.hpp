@@ -6,7 +6,7 @@
 
 namespace gyro {
 
-/// Something the user gave cannot be used: problem; what is accepted. Exit code 2.
+/// Input that cannot be used: the message says what is wrong and what to do. Exit code 2.
 struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

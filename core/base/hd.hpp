@@ -3,21 +3,24 @@
 
 #include <cstdint>
 
-// Marks a function that runs on the host and on the device. The only place in the
-// project that asks which compiler is at work.
+// GYRO_HD marks a function that runs on the host and on the device. GYRO_ANY_CALLEE before a template of that kind lets
+// it call a functor of the host where only host code calls the template. The only place in the project that asks which
+// compiler is at work.
 #if defined(__CUDACC__)
 #define GYRO_HD __host__ __device__
+#define GYRO_ANY_CALLEE _Pragma("nv_exec_check_disable")
 #else
 #define GYRO_HD
+#define GYRO_ANY_CALLEE
 #endif
 
 namespace gyro {
 
 /// Index of a particle, bond, contact or wall in its array. Signed, so that loops and
-/// differences are safe; 2^31 particles are far beyond one device's memory.
+/// differences are safe; 2^31 particles are beyond the memory of one device.
 using Index = std::int32_t;
 
-/// Number that a particle keeps for life, whatever its place in the arrays. Given in feed order.
+/// Number that a particle keeps for life, whatever its row in the columns. Given in feed order.
 using ParticleId = std::uint32_t;
 
 /// Number that a rock (meta-particle as fed) keeps for life; its fragments keep it too.

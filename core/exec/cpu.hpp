@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/expect.hpp"
+#include "core/base/index_range.hpp"
+#include "core/exec/block_launch.hpp"
 #include "core/exec/phase_timer.hpp"
 #include "core/exec/thread_team.hpp"
-#include "core/kernels/bond_pack.hpp"
-#include "core/state/bonds.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -18,15 +19,20 @@
 
 namespace gyro {
 
-/// The CPU executor: a team of threads, and packs. An executor is the only thing that the solver's loops
-/// know of a machine; gpu/ has its twin. Contract of each operation:
+/// The CPU executor: a team of threads. An executor is the only thing that the solver's loops know of a machine,
+/// and knows nothing of what they compute; gpu/ has its twin. Contract of each operation:
 ///
-///   for_each(label, n, kernel)      kernel(i) for i in [0, n), any order; no two calls write the same
-///   for_each_block(label, list, k)  BondForces over the bonds of each block, in the bonds' order
-///   reduce(label, n, map)           sum of map(i), added in a fixed order
-///   exclusive_scan(n, counts)       in place, n + 1 numbers; returns the total
-///   sort_by_key(keys, values)       stable
-///   host, upload, append, keep      the host's side of a buffer
+///   for_each(label, n, kernel)             kernel(i) for i in [0, n), any order; no two calls write the same
+///   for_each_block(label, blocks, kernel)  kernel(lanes, k) over the items of each block k, see below
+///   reduce(label, n, map)                  sum of map(i), added in a fixed order
+///   exclusive_scan(n, counts)              in place, n + 1 numbers; returns the total
+///   sort_by_key(keys, values)              stable
+///   host, upload, append, keep             the host's side of a buffer
+///
+/// A kernel over blocks says how its work lies: rows(k) are cleared first, by clear(row); items(k) are then worked on
+/// as if one after the other. A CPU core takes Kernel::Pack::count items at a time, a GPU takes one item a thread
+/// (Kernel::Lane) and all items of a colour at once, for the colours(k) in their order. Rows of blocks are disjoint and
+/// ascend with k.
 ///
 /// A buffer has size(), data() and resize(n), which keeps what is there and sets what is new to zero.
 /// Its elements are read and written by kernels or through the last four operations only. Kernels get
@@ -38,6 +44,7 @@ class Cpu {
   template <class T>
   using Buffer = std::vector<T>;
 
+  /// @param threads  at least 1
   explicit Cpu(int threads) : threads_(std::max(1, threads)), team_(std::make_unique<ThreadTeam>(threads_)) {}
 
   int threads() const { return threads_; }
@@ -47,6 +54,7 @@ class Cpu {
   template <class Kernel>
   void for_each(const char* label, Index n, const Kernel& kernel) {
     static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
+    GYRO_EXPECT(n >= 0);
     const PhaseTimer::Mark mark = timer_.begin(label);
     if (n < inline_limit || threads_ == 1) {
       for (Index i = 0; i < n; ++i) kernel(i);
@@ -60,22 +68,21 @@ class Cpu {
     timer_.end(mark);
   }
 
-  /// @param kernel  BondForces or another kernel over the bonds of a block
   template <class Kernel>
-  void for_each_block(const char* label, const BlockList& list, const Kernel& kernel) {
-    const Block* blocks = list.blocks;  // the order of their bonds is enough for one thread: no colours
+  void for_each_block(const char* label, const BlockLaunch& launch, const Kernel& kernel) {
+    using Pack = typename Kernel::Pack;  // the order of items is enough for one thread: no colours
     const PhaseTimer::Mark mark = timer_.begin(label);
-    // A thread starts with the rocks whose particles are its share of for_each, so that loads stay in its
+    // A thread starts with the blocks whose rows are its share of for_each, so that they stay in its
     // cache, and then helps the others.
-    std::vector<BlockRange> ranges = shares_of(blocks, list.count);
+    std::vector<BlockShare> shares = shares_of(launch.blocks, kernel);
     team_->run([&](int t) {
       for (int turn = 0; turn < threads_; ++turn) {
-        BlockRange& range = ranges[static_cast<std::size_t>((t + turn) % threads_)];
-        for (Index k; (k = range.next.fetch_add(1, std::memory_order_relaxed)) < range.end;) {
-          const Block block = blocks[k];
-          for (Index p = block.first_particle; p < block.end_particle; ++p) kernel.clear(p);
-          for (Index b = block.first_bond; b < block.end_bond; b += bond_alignment)
-            kernel(PackLanes<bond_alignment>{b}, k);
+        BlockShare& share = shares[static_cast<std::size_t>((t + turn) % threads_)];
+        for (Index k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;) {
+          const IndexRange rows = kernel.rows(k), items = kernel.items(k);
+          GYRO_EXPECT(rows.begin <= rows.end && (items.end - items.begin) % Pack::count == 0);
+          for (Index row = rows.begin; row < rows.end; ++row) kernel.clear(row);
+          for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k);
         }
       }
     });
@@ -84,6 +91,8 @@ class Cpu {
 
   template <class T, class Map>
   T reduce(const char* label, Index n, const Map& map) {
+    GYRO_EXPECT(n >= 0);
+    if (n == 0) return T{};
     const PhaseTimer::Mark mark = timer_.begin(label);
     const Index chunks = (n + chunk - 1) / chunk;
     std::vector<T> part(static_cast<std::size_t>(chunks));
@@ -106,6 +115,7 @@ class Cpu {
   }
 
   static Index exclusive_scan(Index n, Index* counts) {
+    GYRO_EXPECT(n >= 0 && counts != nullptr);
     Index sum = 0;
     for (Index i = 0; i <= n; ++i) {
       const Index count = i < n ? counts[i] : 0;
@@ -119,6 +129,7 @@ class Cpu {
   /// which all keys agree.
   void sort_by_key(Buffer<std::uint64_t>& keys, Buffer<Index>& values) {
     const std::size_t n = keys.size();
+    GYRO_EXPECT(values.size() == n);
     spare_keys_.resize(n);
     spare_values_.resize(n);
     for (int shift = 0; shift < 64; shift += 8) {
@@ -154,8 +165,12 @@ class Cpu {
   /// @param source  source[k] >= k
   template <class T>
   static void keep(Buffer<T>& buffer, const std::vector<Index>& source) {
-    for (std::size_t k = 0; k < source.size(); ++k)
+    GYRO_EXPECT(source.size() <= buffer.size());
+    for (std::size_t k = 0; k < source.size(); ++k) {
+      GYRO_EXPECT(source[k] == none ||
+                  (source[k] >= static_cast<Index>(k) && source[k] < static_cast<Index>(buffer.size())));
       buffer[k] = source[k] == none ? T{} : buffer[static_cast<std::size_t>(source[k])];
+    }
     buffer.resize(source.size());
   }
 
@@ -163,23 +178,24 @@ class Cpu {
   static constexpr Index inline_limit = 128;  // below, waking threads costs more than they save
   static constexpr Index chunk = 1024;
 
-  /// Blocks [next, end) that one thread starts with. On a line of its own: threads count at the same time.
-  struct alignas(64) BlockRange {
+  /// Blocks [next, end) that one thread starts with. On a cache line of its own: all threads count down theirs.
+  struct alignas(64) BlockShare {
     std::atomic<Index> next{0};
     Index end = 0;
   };
-  std::vector<BlockRange> shares_of(const Block* blocks, Index n) const {
-    std::vector<BlockRange> ranges(static_cast<std::size_t>(threads_));
-    const Index particles = n > 0 ? blocks[n - 1].end_particle : 0;
-    const Index share = (particles + threads_ - 1) / threads_;
+  template <class Kernel>
+  std::vector<BlockShare> shares_of(Index blocks, const Kernel& kernel) const {
+    std::vector<BlockShare> shares(static_cast<std::size_t>(threads_));
+    const Index rows = blocks > 0 ? kernel.rows(blocks - 1).end : 0;
+    const Index rows_each = (rows + threads_ - 1) / threads_;
     Index block = 0;
     for (int t = 0; t < threads_; ++t) {
-      BlockRange& range = ranges[static_cast<std::size_t>(t)];
-      range.next = block;
-      while (block < n && (t + 1 == threads_ || blocks[block].first_particle < (t + 1) * share)) ++block;
-      range.end = block;
+      BlockShare& share = shares[static_cast<std::size_t>(t)];
+      share.next = block;
+      while (block < blocks && (t + 1 == threads_ || kernel.rows(block).begin < (t + 1) * rows_each)) ++block;
+      share.end = block;
     }
-    return ranges;
+    return shares;
   }
 
   int threads_;

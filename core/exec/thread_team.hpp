@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/expect.hpp"
+
 #include <atomic>
 #include <thread>
 #include <vector>
@@ -14,7 +16,9 @@ namespace gyro {
 /// with one.
 class ThreadTeam {
  public:
+  /// @param threads  at least 1, the caller's among them
   explicit ThreadTeam(int threads) : threads_(threads) {
+    GYRO_EXPECT(threads >= 1);
     for (int t = 1; t < threads_; ++t) workers_.emplace_back([this, t] { serve(t); });
   }
   ~ThreadTeam() {
@@ -55,14 +59,14 @@ class ThreadTeam {
   }
 
   void serve(int thread) {
-    for (int contact_position = 0;;) {
-      for (int looks = 0; ticket_.load(std::memory_order_acquire) == contact_position; ++looks) {
+    for (int done = 0;;) {
+      for (int looks = 0; ticket_.load(std::memory_order_acquire) == done; ++looks) {
         if (looks < patience)
           pause();
         else
-          ticket_.wait(contact_position, std::memory_order_acquire);
+          ticket_.wait(done, std::memory_order_acquire);
       }
-      ++contact_position;
+      ++done;
       if (stop_) return;
       call_(work_, thread);
       pending_.fetch_sub(1, std::memory_order_acq_rel);

@@ -67,17 +67,16 @@ class Feed {
     double next_try = 0;         ///< [s]
     std::uint32_t attempts = 0;  ///< failed ones for the next rock
 
-    /// Calls f(name, field) for every field, to be read or filled.
-    template <class F, class S>
-    static void for_each_field(F&& f, S& s) {
-      f("of_template", s.of_template);
-      f("rocks", s.rocks);
-      f("particles", s.particles);
-      f("charged", s.charged);
-      f("delayed", s.delayed);
-      f("waiting", s.waiting);
-      f("next_try", s.next_try);
-      f("attempts", s.attempts);
+    template <class F, class... S>
+    static constexpr void for_each_field(F&& f, S&... s) {
+      f("of_template", s.of_template...);
+      f("rocks", s.rocks...);
+      f("particles", s.particles...);
+      f("charged", s.charged...);
+      f("delayed", s.delayed...);
+      f("waiting", s.waiting...);
+      f("next_try", s.next_try...);
+      f("attempts", s.attempts...);
     }
   };
 

@@ -20,17 +20,12 @@ class HoldUp {
     std::vector<double> size;  ///< [m]
     SieveTally tally;          ///< of the last analysis
 
-    /// Calls f(name, field) for every field, to be read or filled.
-    template <class F, class S>
-    static void for_each_field(F&& f, S& s) {
-      f("first", s.first);
-      f("particles", s.particles);
-      f("size", s.size);
-      f("sieve_mass", s.tally.sieve_mass);
-      f("all_particles", s.tally.particles);
-      f("fragments", s.tally.fragments);
-      f("mass", s.tally.mass);
-      f("singles_mass", s.tally.singles_mass);
+    template <class F, class... S>
+    static constexpr void for_each_field(F&& f, S&... s) {
+      f("first", s.first...);
+      f("particles", s.particles...);
+      f("size", s.size...);
+      f("tally", s.tally...);
     }
   };
 

@@ -21,16 +21,15 @@ class Product {
     std::int64_t particles = 0, fragments = 0, singles = 0;
     double mass = 0, singles_mass = 0;
 
-    /// Calls f(name, field) for every field, to be read or filled.
-    template <class F, class S>
-    static void for_each_field(F&& f, S& s) {
-      f("discharged", s.discharged);
-      f("sieve_mass", s.sieve_mass);
-      f("particles", s.particles);
-      f("fragments", s.fragments);
-      f("singles", s.singles);
-      f("mass", s.mass);
-      f("singles_mass", s.singles_mass);
+    template <class F, class... S>
+    static constexpr void for_each_field(F&& f, S&... s) {
+      f("discharged", s.discharged...);
+      f("sieve_mass", s.sieve_mass...);
+      f("particles", s.particles...);
+      f("fragments", s.fragments...);
+      f("singles", s.singles...);
+      f("mass", s.mass...);
+      f("singles_mass", s.singles_mass...);
     }
   };
 

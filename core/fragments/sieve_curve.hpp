@@ -41,6 +41,15 @@ struct SieveTally {
   std::int64_t particles = 0, fragments = 0;
   double mass = 0, singles_mass = 0;  ///< [kg]
 
+  template <class F, class... T>
+  static constexpr void for_each_field(F&& f, T&... t) {
+    f("sieve_mass", t.sieve_mass...);
+    f("particles", t.particles...);
+    f("fragments", t.fragments...);
+    f("mass", t.mass...);
+    f("singles_mass", t.singles_mass...);
+  }
+
   /// Adds a fragment of this sieve size [m] and mass [kg].
   void add(double size, double fragment_mass, std::int64_t fragment_particles);
   ProductRow row(double time) const;

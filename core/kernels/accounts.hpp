@@ -2,12 +2,8 @@
 #pragma once
 
 #include "core/kernels/bond_forces.hpp"
-#include "core/kernels/bond_lane.hpp"
 #include "core/kernels/wall_forces.hpp"
-#include "core/laws/hertz_mindlin.hpp"
-#include "core/state/contacts.hpp"
-#include "core/state/particles.hpp"
-#include "core/state/walls.hpp"
+#include "core/laws/contact/models.hpp"
 
 // What the ledger adds up: maps for Exec::reduce. No kernel of the step depends on them.
 
@@ -42,7 +38,7 @@ struct ParticleSums {
 };
 
 struct SumParticles {
-  ParticleView p;
+  ConstParticleView p;
   Vec3d gravity;
   double dt;
 
@@ -84,11 +80,13 @@ struct ContactSums {
 /// so that the sum does not depend on what else the lists hold.
 template <class Real>
 struct SumContacts {
-  ParticleView p;
-  PairView<Real> pairs;
-  WallView<Real> walls;
-  ContactLaw<Real> law;
-  const ContactLaw<Real>* wall_laws;
+  ConstParticleView p;
+  ConstPairView<Real> pairs;
+  ConstWallPairView<Real> near;
+  WallsNow walls;
+  ContactConstants<Real> rock;            ///< of rock against rock
+  const ContactConstants<Real>* on_wall;  ///< of rock against each wall
+  ContactModel rock_model, wall_model;
 
   GYRO_HD ContactSums operator()(Index n) const {
     const Sphere sphere = p.position[n];
@@ -96,37 +94,38 @@ struct SumContacts {
     for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e)
       if (pairs.ends[e].side == 0 && pairs.touching[pairs.ends[e].pair]) s = s + of_pair(pairs.ends[e].pair);
     if (walls.poses == nullptr) return s;  // no window yet
-    for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e)
-      if (walls.touching[e]) s = s + of_wall(e, sphere);
+    for (Index e = near.row_begin[n]; e < near.row_begin[n + 1]; ++e)
+      if (near.touching[e]) s = s + of_wall(e, sphere);
     return s;
   }
 
  private:
   GYRO_HD ContactSums of_pair(Index n) const {
-    const Pair pair = pairs.pairs[n];
+    const Pair pair = pairs.pair[n];
     const double a = p.position[pair.i].radius, b = p.position[pair.j].radius;
     const ContactHistory<Real> m = pairs.history[n];
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
-    return {static_cast<double>(contact_energy(law, static_cast<Real>(a * b / (a + b)), m.overlap, m.elastic)), ratio,
-            p.id[pair.i], p.id[pair.j], none};
+    const Real energy = contact_energy(rock_model, rock, static_cast<Real>(a * b / (a + b)), m, pairs.extra + n);
+    return {static_cast<double>(energy), ratio, p.id[pair.i], p.id[pair.j], none};
   }
   GYRO_HD ContactSums of_wall(Index n, const Sphere& sphere) const {
-    const WallEntry entry = walls.entries[n];
+    const WallEntry entry = near.entry[n];
     const Vec3d centre = to_body(walls.poses[entry.wall], sphere.x);
     const WallTouches touches = touch_wall(walls.surfaces[entry.wall], entry.range, centre, sphere.radius);
     ContactSums s;
-    for (int k = 0; k < walls.history[n].count; ++k) {
-      const ContactHistory<Real> m = walls.history[n].contact[k];
+    for (int k = 0; k < near.history[n].count; ++k) {
+      const ContactHistory<Real> m = near.history[n].contact[k].history;
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
-      s = s + ContactSums{weight * static_cast<double>(contact_energy(
-                                       wall_laws[entry.wall], static_cast<Real>(sphere.radius), m.overlap, m.elastic)),
-                          static_cast<double>(m.overlap) / sphere.radius, p.id[entry.particle], 0, entry.wall};
+      const Real energy = contact_energy(wall_model, on_wall[entry.wall], static_cast<Real>(sphere.radius), m,
+                                         near.extra[n].contact + k);
+      s = s + ContactSums{weight * static_cast<double>(energy), static_cast<double>(m.overlap) / sphere.radius,
+                          p.id[entry.particle], 0, entry.wall};
     }
     return s;
   }
 };
 
-/// Elastic energy and count of the bonds, and the largest turn of the ends of a glued one.
+/// Elastic energy and count of the bonds, and the largest rotation of the ends of an intact one.
 struct BondSums {
   double elastic = 0;
   std::int64_t intact = 0;
@@ -140,7 +139,7 @@ struct BondSums {
 
 /// Loads of one bond, outside a step.
 template <class Real>
-GYRO_HD BondLoad<Real> bond_load_now(const BondView<Real>& b, const BondLaw<Real>& law,
+GYRO_HD BondLoad<Real> bond_load_now(const ConstBondView<Real>& b, const BondLaw<Real>& law,
                                      const BondLanes<Real, OneLane>& bond, Index n) {
   return b.state[n] == bond_intact ? bond_load(law, bond.section, bond.strain_r, bond.rates)
                                    : pressed_load(law, bond.section, bond.strain_r, bond.rates).load;
@@ -148,8 +147,8 @@ GYRO_HD BondLoad<Real> bond_load_now(const BondView<Real>& b, const BondLaw<Real
 
 template <class Real>
 struct SumBonds {
-  ParticleView p;
-  BondView<Real> b;
+  ConstParticleView p;
+  ConstBondView<Real> b;
   BondLaw<Real> law;
 
   GYRO_HD BondSums operator()(Index n) const {
@@ -161,7 +160,7 @@ struct SumBonds {
   }
 };
 
-/// What a snapshot says of a glued bond.
+/// What a snapshot says of an intact bond.
 struct BondReading {
   double normal_force;  ///< tension positive [N]
   double stress_ratio;  ///< larger of tension/strength and shear/strength [-]
@@ -169,8 +168,8 @@ struct BondReading {
 
 template <class Real>
 struct ReadBonds {
-  ParticleView p;
-  BondView<Real> b;
+  ConstParticleView p;
+  ConstBondView<Real> b;
   BondLaw<Real> law;
   BondReading* now;
 
@@ -186,28 +185,16 @@ struct ReadBonds {
 /// Adds up what the entries of one wall have booked.
 struct SumWall {
   const WallEntry* entries;
-  const WallSum* booked;  ///< WallView::sums or later
+  const WallSum* booked;  ///< sums or carried_over of WallBooking
   Index wall;
 
   GYRO_HD WallSum operator()(Index n) const { return entries[n].wall == wall ? booked[n] : WallSum{}; }
 };
 
-GYRO_HD inline WallSum operator+(const WallSum& a, const WallSum& b) {
-  WallSum s;
-  for (int k = 0; k < 3; ++k) {
-    s.force[k] = a.force[k] + b.force[k];
-    s.torque[k] = a.torque[k] + b.torque[k];
-  }
-  s.work = a.work + b.work;
-  s.slip = a.slip + b.slip;
-  return s;
-}
-
 /// Clears what the entries have booked.
-template <class Real>
 struct ClearWallSums {
-  WallView<Real> walls;
-  GYRO_HD void operator()(Index n) const { walls.sums[n] = WallSum{}; }
+  WallSum* sums;
+  GYRO_HD void operator()(Index n) const { sums[n] = WallSum{}; }
 };
 
 }  // namespace gyro

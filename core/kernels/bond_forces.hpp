@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/index_range.hpp"
 #include "core/base/shared_counter.hpp"
 #include "core/kernels/bond_lane.hpp"
-#include "core/laws/bond.hpp"
-#include "core/state/bonds.hpp"
-#include "core/state/particles.hpp"
 
 namespace gyro {
 
@@ -13,10 +11,15 @@ namespace gyro {
 struct BreakLog {
   BreakEvent* events;
   std::int32_t* count;
-  std::int32_t* relist;  ///< set to 1 when the first bond of a block fails: its particles may now touch
-  Block* blocks;
-  double rotation_limit;         ///< of the ends of a glued bond against each other [rad]
+  std::int32_t* block_cracked;   ///< set to 1 when the first bond of a block fails: its particles may now touch
+  double rotation_limit;         ///< of the ends of an intact bond against each other [rad]
   std::int32_t* limit_exceeded;  ///< set to 1 by any bond beyond it
+};
+
+/// All rocks, as a launch by block sees them.
+struct BlockList {
+  Block* blocks;
+  const Index* colour_begin;  ///< first bond of each colour; a block has one entry more than colours
 };
 
 /// Strain, rates and section of the bonds of some lanes; the only place that knows how they lie in
@@ -32,8 +35,9 @@ struct BondLanes {
   BondRates<R> rates;
   BondSection<R> section;
 
-  /// @param dt  time since the axes of unglued bonds were stored [s]
-  GYRO_HD BondLanes(const Lanes& lanes, const ParticleView& p, const BondView<Real>& b, double dt) {
+  /// @param dt  time since the axes of pressed bonds were stored [s]
+  template <template <class> class Column>
+  GYRO_HD BondLanes(const Lanes& lanes, const ConstParticleView& p, const Bonds<Column, Real>& b, double dt) {
     const auto i = lanes.load(b.i), j = lanes.load(b.j);
     const R arm = lanes.load(b.arm);
     const D length = lanes.load(b.length);
@@ -45,10 +49,10 @@ struct BondLanes {
                   angular_velocity_j = lanes.vector(p.angular_motion, j);
     Vec3<D> axis = intact_axis(shape, ends);
     const auto state = lanes.load(b.state);
-    if (lanes.any_below_and_not(state, bond_broken, bond_intact)) {
+    if (lanes.any_pressed(state)) {
       const Vec3<D> carried =
           pressed_axis(shape.axis, shape.arm * angular_velocity_i + (D(1) - shape.arm) * angular_velocity_j, D(dt));
-      axis = select(lanes.template equal<double>(state, bond_intact), axis, carried);
+      axis = select(lanes.template is_intact<double>(state), axis, carried);
     }
     strain = strain_about(axis, shape.length, ends);
     strain_r = {lanes.template cast<Real>(strain.normal),  lanes.template cast<Real>(strain.length),
@@ -68,39 +72,60 @@ struct BondLanes {
 
 /// Forces of the bonds of one block, added to the rows of its particles bond by bond, and failure:
 /// every bond is judged on the state that all of them saw and changes its own state only.
+///
+/// A kernel for Exec::for_each_block: a block is a rock, its rows are particles, its items are bonds.
 template <class Real>
 struct BondForces {
-  ParticleView p;
+  using Lane = OneLane;                    ///< of a GPU thread
+  using Pack = PackLanes<bond_alignment>;  ///< of a CPU core
+  static constexpr int blocks_at_once = sizeof(Real) == 8 ? 2 : 4;
+
+  ConstParticleView p;
+  Load* loads;  ///< from bonds, of each particle
   BondView<Real> b;
+  BlockList list;
   BondLaw<Real> law;
   BreakLog log;
   std::int64_t step;
 
-  /// Clears the rows of a particle before the bonds add to them.
-  GYRO_HD void clear(Index particle) const { p.bond_load[particle] = Load{}; }
+  GYRO_HD IndexRange rows(Index block) const {
+    return {list.blocks[block].first_particle, list.blocks[block].end_particle};
+  }
+  /// A whole number of packs.
+  GYRO_HD IndexRange items(Index block) const { return {list.blocks[block].first_bond, list.blocks[block].end_bond}; }
+  GYRO_HD IndexRange colours(Index block) const {
+    return {list.blocks[block].first_colour, list.blocks[block].end_colour - 1};
+  }
+  /// Bonds that share no particle.
+  GYRO_HD IndexRange items_of_colour(Index colour) const {
+    return {list.colour_begin[colour], list.colour_begin[colour + 1]};
+  }
+
+  /// Clears the row of a particle before the bonds add to it.
+  GYRO_HD void clear(Index particle) const { loads[particle] = Load{}; }
 
   template <class Lanes>
   GYRO_HD void operator()(const Lanes& lanes, Index block) const {
     using R = typename Lanes::template Number<Real>;
     const auto state = lanes.load(b.state);
-    if (!lanes.any_below(state, bond_broken)) return;
+    if (!lanes.any_unbroken(state)) return;
     const BondLanes<Real, Lanes> bond(lanes, p, b, static_cast<double>(law.dt));
     const BondLaw<R> constants = lanes.spread(law);
 
     BondLoad<R> load = bond_load(constants, bond.section, bond.strain_r, bond.rates);
     R slip_work(0);
-    const auto intact = lanes.template equal<Real>(state, bond_intact);
+    const auto intact = lanes.template is_intact<Real>(state);
     const auto broken = intact & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
     if (lanes.any(broken)) note_failures(lanes, block, bond, load, broken, constants);
     const R turn2 = bond.strain_r.twist * bond.strain_r.twist + norm2(bond.strain_r.bend);
     if (lanes.any(intact & (turn2 > R(log.rotation_limit * log.rotation_limit)))) raise_flag(log.limit_exceeded);
-    if (lanes.any_below_and_not(state, bond_broken, bond_intact)) {
+    if (lanes.any_pressed(state)) {
       const auto pressed = pressed_load(constants, bond.section, bond.strain_r, bond.rates);
       take(load, intact, pressed.load);
       slip_work = select(intact, R(0), pressed.slip_work);
       slip_and_part(lanes, bond, pressed.keep, state);
     }
-    lanes.add(p.bond_load, lanes.load(b.i), lanes.load(b.j), state, load, slip_work);
+    lanes.add(loads, lanes.load(b.i), lanes.load(b.j), state, load, slip_work);
   }
 
  private:
@@ -114,7 +139,7 @@ struct BondForces {
 
   /// A failing bond keeps its normal spring while its ends are pressed together; what else it stored
   /// is released. So is the work of half a step more: the loads of this step are still those of the
-  /// glued bond, and Verlet's next half kick spends them.
+  /// intact bond, and Verlet's next half kick spends them.
   template <class Lanes, class R, class Mask>
   GYRO_HD void note_failures(const Lanes& lanes, Index block, const BondLanes<Real, Lanes>& bond,
                              const BondLoad<R>& load, const Mask& broken, const BondLaw<R>& constants) const {
@@ -132,9 +157,9 @@ struct BondForces {
       const double released = stored - kept - 0.5 * static_cast<double>(law.dt) * lost_power;
       b.state[n] = apart ? bond_broken : bond_pressed;
       log.events[take_number(log.count)] = {step, n, tension >= shear ? 1 : 2, released};
-      if (log.blocks[block].state == block_intact) {
-        log.blocks[block].state = block_broken;
-        raise_flag(log.relist);
+      if (list.blocks[block].state == block_intact) {
+        list.blocks[block].state = block_broken;
+        raise_flag(log.block_cracked);
       }
       if (!apart) slip(lanes, bond, after.keep, lane);
     }
@@ -157,7 +182,7 @@ struct BondForces {
     return distance > b.length[n] && distance > touch;
   }
 
-  /// Stores the axis of an unglued bond: what slip has left of its shear, world frame.
+  /// Stores the axis of a pressed bond: what slip has left of its shear, world frame.
   template <class Lanes, class R>
   GYRO_HD void slip(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, const R& keep, int lane) const {
     const auto& s = bond.strain;

@@ -5,21 +5,14 @@
 #include "core/laws/bond.hpp"
 #include "core/math/quat.hpp"
 #include "core/math/select.hpp"
+#include "core/state/bonds.hpp"
 #include "core/state/particles.hpp"
 
 // Lanes: how a kernel that works on one bond reads and writes memory. OneLane is one bond, for a GPU
-// thread and for tests; PackLanes (pack_lanes.hpp) is N neighbouring bonds, for a CPU core. Both do
+// thread and for tests; PackLanes (bond_pack.hpp) is N neighbouring bonds, for a CPU core. Both do
 // the same arithmetic in the same order for every bond, so their results agree to the bit.
 
 namespace gyro {
-
-/// The bond law with its constants spread over the lanes of R.
-template <class R, class Real>
-GYRO_HD BondLaw<R> spread_law(const BondLaw<Real>& law) {
-  return {R(law.normal_stiffness), R(law.shear_stiffness),  R(law.normal_modulus),
-          R(law.shear_modulus),    R(law.tensile_strength), R(law.shear_strength),
-          R(law.damping),          R(law.friction),         R(law.dt)};
-}
 
 /// Adds a bond's loads to the rows of its two particles.
 template <class Real>
@@ -65,14 +58,12 @@ struct OneLane {
   }
 
   template <class Real>
-  GYRO_HD bool equal(std::int32_t state, std::int32_t value) const {
-    return state == value;
+  GYRO_HD bool is_intact(std::int32_t state) const {
+    return state == bond_intact;
   }
+  GYRO_HD bool any_unbroken(std::int32_t state) const { return state < bond_broken; }
+  GYRO_HD bool any_pressed(std::int32_t state) const { return state == bond_pressed; }
   GYRO_HD bool any(bool m) const { return m; }
-  GYRO_HD bool any_below(std::int32_t state, std::int32_t limit) const { return state < limit; }
-  GYRO_HD bool any_below_and_not(std::int32_t state, std::int32_t limit, std::int32_t other) const {
-    return state < limit && state != other;
-  }
   GYRO_HD bool test(bool m, int) const { return m; }
   GYRO_HD Index index(int) const { return n; }
   template <class T>
@@ -85,5 +76,8 @@ struct OneLane {
     add_bond_load(rows, i, j, load, slip_work);
   }
 };
+
+template <int N>
+struct PackLanes;
 
 }  // namespace gyro

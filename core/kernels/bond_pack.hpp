@@ -4,13 +4,12 @@
 // Host only.
 #include "core/kernels/bond_lane.hpp"
 #include "core/math/pack.hpp"
-#include "core/state/bonds.hpp"
 
 #include <array>
 
 namespace gyro {
 
-/// N neighbouring bonds, from a multiple of N on. The loads are computed together and added to the
+/// N neighbouring bonds, `first` a multiple of N. The loads are computed together and added to the
 /// particles' rows one bond after the other.
 ///
 /// N = 8 because the strains are double: one 512-bit register. With 16 the doubles take two and the
@@ -49,23 +48,23 @@ struct PackLanes {
   }
   template <class Real>
   BondLaw<Pack<Real, N>> spread(const BondLaw<Real>& law) const {
-    return spread_law<Pack<Real, N>>(law);
+    return gyro::cast<Pack<Real, N>>(law);
   }
 
   template <class Real>
-  PackMask<Real, N> equal(const Pack<std::int32_t, N>& state, std::int32_t value) const {
+  PackMask<Real, N> is_intact(const Pack<std::int32_t, N>& state) const {
     const Pack<Real, N> number = pack_cast<Real>(state);
-    return {number.v == Pack<Real, N>(static_cast<Real>(value)).v};
+    return {number.v == Pack<Real, N>(static_cast<Real>(bond_intact)).v};
+  }
+  bool any_unbroken(const Pack<std::int32_t, N>& state) const {
+    return any_bit(state.v < Pack<std::int32_t, N>(bond_broken).v);
+  }
+  bool any_pressed(const Pack<std::int32_t, N>& state) const {
+    return any_bit(state.v == Pack<std::int32_t, N>(bond_pressed).v);
   }
   template <class T>
   bool any(const PackMask<T, N>& m) const {
     return any_bit(m.v);
-  }
-  bool any_below(const Pack<std::int32_t, N>& state, std::int32_t limit) const {
-    return any_bit(state.v < Pack<std::int32_t, N>(limit).v);
-  }
-  bool any_below_and_not(const Pack<std::int32_t, N>& state, std::int32_t limit, std::int32_t other) const {
-    return any_bit((state.v < Pack<std::int32_t, N>(limit).v) & (state.v != Pack<std::int32_t, N>(other).v));
   }
   template <class T>
   bool test(const PackMask<T, N>& m, int lane) const {
@@ -133,7 +132,7 @@ struct PackLanes {
     for (int c = 0; c < 8; ++c)
       for (int k = 0; k < N; ++k) rows[k][c] = columns[c].v[k];
   }
-  /// Load is a row of eight doubles: force, damped, moment, slipped.
+  /// Load is a row of eight doubles: force, damped, torque, slipped.
   template <class Real>
   static void add_row(Load& load, const Real (&row)[8]) {
     static_assert(sizeof(Load) == 8 * sizeof(double));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/state/contacts.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
 
@@ -13,14 +12,14 @@ namespace gyro {
 template <class Real>
 struct Gather {
   ParticleView p;
-  PairView<Real> pairs;
-  WallView<Real> walls;
+  ConstPairView<Real> pairs;
+  ConstWallPairView<Real> walls;
   Vec3d gravity;
   double dt;
   bool with_bonds;
-  Load* held;          ///< contacts and walls of each particle; null: evaluated anew in each step
+  Load* held;          ///< contacts and walls of each particle; null: evaluated in each step
   bool first_of_hold;  ///< contacts and walls have just been evaluated
-  bool kick;           ///< false: only the loads, for a scene that has just been put together
+  bool kick;           ///< false: only the loads, before the first step of a scene
 
   GYRO_HD void operator()(Index n) const {
     const Motion motion = p.motion[n];

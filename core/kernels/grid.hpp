@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/math/select.hpp"
 #include "core/state/particles.hpp"
 
 namespace gyro {
@@ -12,7 +13,7 @@ namespace gyro {
 struct GridLevel {
   double bound;                  ///< largest radius that belongs to the level [m]
   double radius;                 ///< largest radius that is there, 0 if none [m]
-  double cell;                   ///< edge of a cell, at least 2 radius + margin [m]
+  double cell;                   ///< edge of a cell, at least 2 radius + skin [m]
   Index mask_x, mask_y, mask_z;  ///< cells in each direction - 1; at least 3, so that neighbours differ
   Index first_cell;              ///< of the level in the table
 };
@@ -48,7 +49,7 @@ struct Grid {
 
 /// Cell of each particle, as a key to sort by.
 struct CellKeys {
-  ParticleView p;
+  ConstParticleView p;
   Grid grid;
   std::uint64_t* keys;
   Index* values;
@@ -62,6 +63,28 @@ struct CellKeys {
   }
 };
 
+/// Radii and extent of the particles, for the levels of the grid.
+struct Extent {
+  double smallest = 1e300, largest = 0;  ///< radius [m]
+  Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  GYRO_HD friend Extent operator+(const Extent& a, const Extent& b) {
+    return {smaller(a.smallest, b.smallest),
+            larger(a.largest, b.largest),
+            {smaller(a.low.x, b.low.x), smaller(a.low.y, b.low.y), smaller(a.low.z, b.low.z)},
+            {larger(a.high.x, b.high.x), larger(a.high.y, b.high.y), larger(a.high.z, b.high.z)}};
+  }
+};
+struct ExtentOf {
+  ConstParticleView p;
+  GYRO_HD Extent operator()(Index n) const {
+    const Sphere q = p.position[n];
+    Extent e;
+    e.smallest = e.largest = q.radius;
+    if (norm2(q.x) < 1e300) e.low = e.high = q.x;  // a position that is not finite must not shrink the table
+    return e;
+  }
+};
+
 /// Largest radius in each level.
 struct LevelRadii {
   double largest[Grid::max_levels] = {};
@@ -72,7 +95,7 @@ struct LevelRadii {
   }
 };
 struct LevelRadiiOf {
-  ParticleView p;
+  ConstParticleView p;
   Grid grid;
   GYRO_HD LevelRadii operator()(Index n) const {
     const double radius = p.position[n].radius;

@@ -13,11 +13,11 @@ namespace gyro {
 struct Move {
   ParticleView p;
   double dt;                ///< [s]
-  double half_hold_offset;  ///< as in seen(): lists must hold for the places that contacts see [s]
-  double allowed2;          ///< square of the way a particle may go before lists are stale [m2]
-  std::int32_t* stale;      ///< set to 1 by any particle that went further
+  double half_hold_offset;  ///< as in contact_position(): lists must hold for the positions that contacts see [s]
+  double allowed2;          ///< square of the distance a particle may move before lists are stale [m2]
+  std::int32_t* stale;      ///< set to 1 by any particle that moved further
   bool with_orientation;
-  double hold_time;  ///< time from one look at contacts to the next [s]
+  double hold_time;  ///< time from one evaluation of contacts to the next [s]
   StepLimits limits;
   std::int32_t* limit_exceeded;  ///< set to 1 by any particle beyond them
 
@@ -36,8 +36,8 @@ struct Move {
     p.angular_motion[n] = angular;
     p.position[n] = sphere;
     if (norm2(sphere.x + half_hold_offset * motion.v - p.listed_position[n]) > allowed2) raise_flag(stale);
-    const double way = limits.speed_ratio * sphere.radius;
-    if (hold_time * hold_time * norm2(motion.v) > way * way ||
+    const double allowed = limits.speed_ratio * sphere.radius;
+    if (hold_time * hold_time * norm2(motion.v) > allowed * allowed ||
         hold_time * hold_time * norm2(angular.w) > limits.rotation * limits.rotation)
       raise_flag(limit_exceeded);
   }

@@ -3,29 +3,20 @@
 
 #include "core/base/shared_counter.hpp"
 #include "core/kernels/grid.hpp"
+#include "core/kernels/row_filler.hpp"
 #include "core/state/bonds.hpp"
 #include "core/state/contacts.hpp"
 
 namespace gyro {
 
-/// Bonds by particle.
-struct BondRows {
-  const Index* begin;  ///< null without bonds
-  const Index* bond;
-};
-
 /// Finds the pairs of a particle with those of its own level that have a higher id and with all of
 /// coarser levels: every pair of the scene once.
 struct FindPairs {
-  ParticleView p;
+  ConstParticleView p;
   Grid grid;
-  const Block* blocks;
-  const std::int32_t* bond_state;
-  const Index *bond_i, *bond_j;
-  BondRows bond_rows;
+  BondIndex bonds;
   double skin;
-  Index* counts;  ///< counting run: pairs of each particle; filling run: first pair of each
-  Pair* pairs;    ///< null in the counting run
+  RowFiller<Pair> rows;
 
   GYRO_HD void operator()(Index n) const {
     const Sphere sphere = p.position[n];
@@ -47,7 +38,7 @@ struct FindPairs {
               consider(n, sphere, grid.sorted[s], l == own, found);
           }
     }
-    if (pairs == nullptr) counts[n] = found;
+    rows.end_row(n, found);
   }
 
  private:
@@ -62,29 +53,26 @@ struct FindPairs {
     const double reach = sphere.radius + partner.radius + skin;
     if (!(norm2(partner.x - sphere.x) < reach * reach)) return;  // nor a partner that is not finite
     Index bond = none;
-    if (blocks != nullptr && p.block[n] == p.block[other] && p.block[n] != none) {
+    if (bonds.blocks != nullptr && p.block[n] == p.block[other] && p.block[n] != none) {
       bond = bond_between(n, other);
-      if (bond != none && blocks[p.block[n]].state == block_intact) return;  // it cannot come apart yet
+      if (bond != none && bonds.blocks[p.block[n]].state == block_intact) return;  // it cannot come apart yet
     }
-    if (pairs != nullptr) {
-      const bool lower = p.id[n] < p.id[other];
-      pairs[counts[n] + found] = {lower ? n : other, lower ? other : n, bond};
-    }
-    ++found;
+    const bool lower = p.id[n] < p.id[other];
+    rows.add(n, found, {lower ? n : other, lower ? other : n, bond});
   }
 
   GYRO_HD Index bond_between(Index n, Index other) const {
-    if (bond_rows.begin == nullptr) return none;
-    for (Index k = bond_rows.begin[n]; k < bond_rows.begin[n + 1]; ++k) {
-      const Index b = bond_rows.bond[k];
-      const Index partner = bond_i[b] == n ? bond_j[b] : bond_i[b];
-      if (partner == other) return bond_state[b] == bond_broken ? none : b;
+    if (bonds.begin == nullptr) return none;
+    for (Index k = bonds.begin[n]; k < bonds.begin[n + 1]; ++k) {
+      const Index b = bonds.bond[k];
+      const Index partner = bonds.i[b] == n ? bonds.j[b] : bonds.i[b];
+      if (partner == other) return bonds.state[b] == bond_broken ? none : b;
     }
     return none;
   }
 };
 
-/// Number of pairs in more bits than the lists have.
+/// Number of pairs, in 64 bits: lists number them in 32.
 struct PairTotal {
   const Index* counts;
   GYRO_HD std::int64_t operator()(Index n) const { return counts[n]; }
@@ -104,14 +92,14 @@ struct EnterEnds {
 
  private:
   GYRO_HD void enter(Index particle, Index pair, std::int32_t side) const {
-    const std::int32_t sphere = take_number(&counts[particle]);
-    if (row_begin != nullptr) ends[row_begin[particle] + sphere] = {pair, side};
+    const std::int32_t place = take_number(&counts[particle]);
+    if (row_begin != nullptr) ends[row_begin[particle] + place] = {pair, side};
   }
 };
 
 /// Puts the ends of a particle in order of the partner's id: the order of its sum.
 struct SortRow {
-  ParticleView p;
+  ConstParticleView p;
   const Pair* pairs;
   const Index* row_begin;
   PairEnd* ends;
@@ -130,26 +118,30 @@ struct SortRow {
   GYRO_HD ParticleId partner(const PairEnd& e) const { return p.id[e.side == 0 ? pairs[e.pair].j : pairs[e.pair].i]; }
 };
 
-/// Brings the memory of touching contacts over from the old lists.
+/// Carries the history of touching contacts over from the old list.
 template <class Real>
 struct CarryHistory {
-  PairView<Real> now, old;
+  PairView<Real> now;
+  ConstPairView<Real> old;
+  bool with_extra;  ///< the contact law keeps ExtraHistory
 
   GYRO_HD void operator()(Index n) const {
+    if (with_extra) now.extra[n] = {};
     now.history[n] = {};
     now.touching[n] = 0;
-    const Pair pair = now.pairs[n];
+    const Pair pair = now.pair[n];
     for (Index e = old.row_begin[pair.i]; e < old.row_begin[pair.i + 1]; ++e) {
       const Index m = old.ends[e].pair;
-      if (old.pairs[m].i != pair.i || old.pairs[m].j != pair.j) continue;
+      if (old.pair[m].i != pair.i || old.pair[m].j != pair.j) continue;
       now.history[n] = old.history[m];
+      if (with_extra) now.extra[n] = old.extra[m];
       now.touching[n] = old.touching[m];
       return;
     }
   }
 };
 
-/// Notes where the particles are, to know when the lists are stale.
+/// Stores where the particles are, to know when the lists are stale.
 struct StorePositions {
   ParticleView p;
   GYRO_HD void operator()(Index n) const { p.listed_position[n] = p.position[n].x; }

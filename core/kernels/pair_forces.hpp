@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laws/hertz_mindlin.hpp"
+#include "core/laws/contact/contact.hpp"
 #include "core/state/bonds.hpp"
 #include "core/state/contacts.hpp"
 #include "core/state/particles.hpp"
@@ -9,27 +9,30 @@
 namespace gyro {
 
 /// Contact of two particles: force into the pair's own slot.
-template <class Real, bool held>
+/// @tparam Law   a ContactLaw
+/// @tparam held  forces are held over several sub-steps
+template <class Real, class Law, bool held>
 struct PairForces {
-  ParticleView p;
+  ConstParticleView p;
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
-  ContactLaw<Real> law;
-  double half_hold_offset;  ///< as in seen() [s]
+  ContactConstants<Real> constants;
+  double half_hold_offset;  ///< as in contact_position() [s]
   OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
-    const Pair pair = pairs.pairs[n];
+    const Pair pair = pairs.pair[n];
     const Sphere a = contact_position<held>(p, pair.i, half_hold_offset),
                  b = contact_position<held>(p, pair.j, half_hold_offset);
     const Vec3d span = b.x - a.x;
     const double sum = a.radius + b.radius, distance2 = norm2(span);
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_broken;
     const double distance = distance2 < sum * sum ? ::sqrt(distance2) : sum;
-    if (!(distance < sum) || bonded) {  // what is not finite stays alone: the guard names it
+    if (!(distance < sum) || bonded) {  // NaN pairs are treated as not touching; the guard reports them
       if (pairs.touching[n]) {
         pairs.touching[n] = 0;
         pairs.history[n] = {};
+        if constexpr (Law::keeps_extra_history) pairs.extra[n] = {};
       }
       return;
     }
@@ -58,7 +61,10 @@ struct PairForces {
     c.inertia = static_cast<Real>(wa.inertia * wb.inertia / inertias);
     c.lever = static_cast<Real>((arm_a * wb.inertia - arm_b * wa.inertia) / inertias);
 
-    const ContactLoad<Real> load = hertz_mindlin(law, c, pairs.history[n]);
+    ExtraHistory<Real> extra{};
+    if constexpr (Law::keeps_extra_history) extra = pairs.extra[n];
+    const ContactLoad<Real> load = Law::load(constants, c, pairs.history[n], extra);
+    if constexpr (Law::keeps_extra_history) pairs.extra[n] = extra;
 
     const Vec3<Real> lever = cross(c.normal, load.force);
     pairs.history[n] = load.history;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/kernels/row_filler.hpp"
 #include "core/scene/wall_motion.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
@@ -8,27 +9,21 @@
 namespace gyro {
 
 /// Finds the walls that each particle is near to.
-template <class Real>
 struct FindWalls {
-  ParticleView p;
-  const WallSurface* surfaces;
-  const WallPose* poses;
-  Index wall_count;
+  ConstParticleView p;
+  WallsNow walls;
   double skin;
-  Index* counts;       ///< counting run: walls of each particle; filling run: first entry of each
-  WallEntry* entries;  ///< null in the counting run
+  RowFiller<WallEntry> rows;
 
   GYRO_HD void operator()(Index n) const {
     const Sphere sphere = p.position[n];
     Index found = 0;
-    for (Index w = 0; w < wall_count; ++w) {
-      const Vec3d centre = to_body(poses[w], sphere.x);
+    for (Index w = 0; w < walls.count; ++w) {
+      const Vec3d centre = to_body(walls.poses[w], sphere.x);
       SegmentRange range{0, 0};
-      if (!near(surfaces[w], centre, sphere.radius + skin, range)) continue;
-      if (entries != nullptr) entries[counts[n] + found] = {n, w, range};
-      ++found;
+      if (near(walls.surfaces[w], centre, sphere.radius + skin, range)) rows.add(n, found, {n, w, range});
     }
-    if (entries == nullptr) counts[n] = found;
+    rows.end_row(n, found);
   }
 
  private:
@@ -43,19 +38,21 @@ struct FindWalls {
   }
 };
 
-/// Brings the memory of touching wall contacts over from the old lists.
+/// Carries the history of touching wall contacts over from the old list.
 template <class Real>
 struct CarryWallHistory {
-  WallView<Real> now, old;
+  WallPairView<Real> now;
+  ConstWallPairView<Real> old;
+  bool with_extra;  ///< the contact law keeps ExtraHistory
 
   GYRO_HD void operator()(Index n) const {
-    const WallEntry entry = now.entries[n];
+    const WallEntry entry = now.entry[n];
     now.history[n].count = 0;
     now.touching[n] = 0;
-    now.sums[n] = WallSum{};
     for (Index e = old.row_begin[entry.particle]; e < old.row_begin[entry.particle + 1]; ++e) {
-      if (old.entries[e].wall != entry.wall) continue;
+      if (old.entry[e].wall != entry.wall) continue;
       now.history[n] = old.history[e];
+      if (with_extra) now.extra[n] = old.extra[e];
       now.touching[n] = old.touching[e];
       return;
     }

@@ -18,8 +18,22 @@ struct BondLaw {
   T shear_strength;    ///< tau_c [Pa]
   T damping;           ///< xi, fraction of critical of each mode of the bond [-]
   T friction;          ///< mu, after failure [-]
-  T dt;                ///< time step: velocities are dt/2 older than places [s]
+  T dt;                ///< time step: velocities are dt/2 older than positions [s]
 };
+
+/// The same constants in another number type, or one copy for each lane of a pack.
+template <class To, class From>
+GYRO_HD BondLaw<To> cast(const BondLaw<From>& law) {
+  return {.normal_stiffness = static_cast<To>(law.normal_stiffness),
+          .shear_stiffness = static_cast<To>(law.shear_stiffness),
+          .normal_modulus = static_cast<To>(law.normal_modulus),
+          .shear_modulus = static_cast<To>(law.shear_modulus),
+          .tensile_strength = static_cast<To>(law.tensile_strength),
+          .shear_strength = static_cast<To>(law.shear_strength),
+          .damping = static_cast<To>(law.damping),
+          .friction = static_cast<To>(law.friction),
+          .dt = static_cast<To>(law.dt)};
+}
 
 /// Section and strength of one bond.
 template <class T>

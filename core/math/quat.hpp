@@ -11,6 +11,9 @@ struct Quat {
   T w, x, y, z;
 };
 
+template <class T>
+struct RowOf<Quat<T>> : MadeOf<T> {};
+
 using Quatd = Quat<double>;
 
 template <class T>
@@ -54,10 +57,10 @@ GYRO_HD constexpr Quat<T> renormalised(const Quat<T>& q) {
   return {s * q.w, s * q.x, s * q.y, s * q.z};
 }
 
-/// Turns q by the spin w [rad/s, world frame] for a time dt [s], |w| dt < 0.5.
+/// Rotates q by the angular velocity w [rad/s, world frame] for a time dt [s], |w| dt < 0.5.
 ///
-/// q' = (1, w dt/2) q at unit length turns by 2 atan(|w| dt/2): the angle is short by (|w| dt)^2/12, the
-/// same for all bodies of one spin, and needs no trigonometry, so that the CPU and the GPU agree to the bit.
+/// q' = (1, w dt/2) q at unit length rotates by 2 atan(|w| dt/2): the angle is short by (|w| dt)^2/12, the
+/// same for all bodies of one angular velocity; no trigonometry, so that the CPU and the GPU agree to the bit.
 template <class T>
 GYRO_HD constexpr Quat<T> rotated(const Quat<T>& q, const Vec3<T>& w, T dt) {
   const T h = T(0.5) * dt;

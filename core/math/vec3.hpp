@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
 #include "core/base/hd.hpp"
 
 #include <cmath>
@@ -12,6 +13,9 @@ template <class T>
 struct Vec3 {
   T x, y, z;
 };
+
+template <class T>
+struct RowOf<Vec3<T>> : MadeOf<T> {};
 
 using Vec3d = Vec3<double>;
 using Vec3f = Vec3<float>;

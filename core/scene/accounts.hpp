@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
 #include "core/base/hd.hpp"
-#include "core/base/saved_state.hpp"
 #include "core/math/vec3.hpp"
 
 #include <cstdint>
@@ -19,17 +19,34 @@ struct Breakage {
   RockId rock;
   ParticleId i, j;
   double energy;  ///< elastic energy that the bond released [J]
+
+  template <class F, class... B>
+  static constexpr void for_each_field(F&& f, B&... b) {
+    f("time", b.time...);
+    f("mode", b.mode...);
+    f("position", b.position...);
+    f("rock", b.rock...);
+    f("i", b.i...);
+    f("j", b.j...);
+    f("energy", b.energy...);
+  }
 };
+static_assert(declares_every_field<Breakage>);
 
 /// What the rock did to one wall over the last window.
 struct WallLoad {
   Vec3d force{0, 0, 0};   ///< mean over the window [N]
   Vec3d torque{0, 0, 0};  ///< mean, about the world's origin [N m]
   double work = 0;        ///< done by the wall on the rock in the window [J]
-};
 
-template <>
-struct RowOf<WallLoad> : MadeOf<double> {};
+  template <class F, class... L>
+  static constexpr void for_each_field(F&& f, L&... l) {
+    f("force", l.force...);
+    f("torque", l.torque...);
+    f("work", l.work...);
+  }
+};
+static_assert(declares_every_field<WallLoad>);
 
 /// What one particle did to one wall over a window, or the part of it between two rebuilds of the lists.
 struct WallImpulse {
@@ -47,18 +64,30 @@ struct EnergyTerms {
   double wall_work = 0;
   double exchanged = 0;  ///< energy of what was put in less that of what was taken out
 
-  /// What the balance lacks: zero up to rounding and the error of the time integration [J].
+  /// Energy balance residual: zero up to rounding and the error of the time integration [J].
   double residual() const {
     return kinetic + potential + contact_elastic + bond_elastic + contact_damping + friction + bond_damping +
            bond_breakage - wall_work - exchanged;
   }
-};
 
-template <>
-struct RowOf<EnergyTerms> : MadeOf<double> {};
+  template <class F, class... E>
+  static constexpr void for_each_field(F&& f, E&... e) {
+    f("kinetic", e.kinetic...);
+    f("potential", e.potential...);
+    f("contact_elastic", e.contact_elastic...);
+    f("bond_elastic", e.bond_elastic...);
+    f("contact_damping", e.contact_damping...);
+    f("friction", e.friction...);
+    f("bond_damping", e.bond_damping...);
+    f("bond_breakage", e.bond_breakage...);
+    f("wall_work", e.wall_work...);
+    f("exchanged", e.exchanged...);
+  }
+};
+static_assert(declares_every_field<EnergyTerms>);
 
 /// Extremes for the guard: at the end of the last window and, if a step inside it passed one of the scene's
-/// limits, those of the first such step as well. What peaks inside a window below the limits is not seen.
+/// limits, those of the first such step as well. Peaks inside a window below the limits are not seen.
 struct Extremes {
   bool finite = true;
   ParticleId culprit = 0;           ///< of the largest overlap, or the first that is not finite
@@ -67,21 +96,30 @@ struct Extremes {
   double overlap_ratio = 0;         ///< largest contact overlap / smaller radius [-]
   double speed_ratio = 0;           ///< largest v dt / R [-]
   ParticleId fastest = 0;           ///< of the largest speed_ratio
-  double rotation = 0;              ///< largest spin x dt [rad]
-  ParticleId fastest_rotating = 0;  ///< of the largest turn
-  double bond_rotation = 0;         ///< largest turn of a bond's ends, only where it passed its limit [rad]
+  double rotation = 0;              ///< largest angular velocity x dt [rad]
+  ParticleId fastest_rotating = 0;  ///< of the largest rotation
+  double bond_rotation = 0;         ///< largest rotation of a bond's ends, only where it passed its limit [rad]
   ParticleId twisted = 0;           ///< one end of that bond
-  double wall_step = 0;             ///< way of a wall's fastest place in a step / smallest radius, 0 for planes [-]
-  Index fast_wall = none;           ///< of the largest wall_step
+  double wall_step = 0;    ///< largest distance that a wall moves in a step / smallest radius, 0 for planes [-]
+  Index fast_wall = none;  ///< of the largest wall_step
 };
 
 /// Counts of live things.
 struct Counts {
   std::int64_t particles = 0, bonds_intact = 0, broken_tension = 0, broken_shear = 0;
   std::int64_t particle_steps = 0, bond_steps = 0, rebuilds = 0;
-};
 
-template <>
-struct RowOf<Counts> : MadeOf<std::int64_t> {};
+  template <class F, class... C>
+  static constexpr void for_each_field(F&& f, C&... c) {
+    f("particles", c.particles...);
+    f("bonds_intact", c.bonds_intact...);
+    f("broken_tension", c.broken_tension...);
+    f("broken_shear", c.broken_shear...);
+    f("particle_steps", c.particle_steps...);
+    f("bond_steps", c.bond_steps...);
+    f("rebuilds", c.rebuilds...);
+  }
+};
+static_assert(declares_every_field<Counts>);
 
 }  // namespace gyro

@@ -29,7 +29,7 @@ class Dem {
   /// Wall seconds by phase of the step, since the start.
   virtual std::vector<std::pair<std::string, double>> phase_seconds() const = 0;
   /// Advances by one window; every wall moves as its motion says, gyrating ones along `path`.
-  /// @throws StoppedByGuard if memory for contacts cannot be had
+  /// @throws StoppedByGuard when particles crowd or have too many neighbours
   virtual void advance(const Window& window, const MantlePath& path) = 0;
 
   virtual std::vector<WallLoad> wall_loads() const = 0;  ///< of the last window, one per wall
@@ -40,13 +40,13 @@ class Dem {
   virtual ParticleSnapshot particles() const = 0;      ///< now, fragments labelled
   virtual BondSnapshot bonds() const = 0;              ///< now
   virtual std::vector<Breakage> take_breakages() = 0;  ///< since the last call, ordered by time, i, j
-  /// Since the last call; nothing unless Scene::wall_impulses. Their sum is that of the walls' loads, but for half of
-  /// the last step's, which those count in the next window.
+  /// Since the last call; empty unless Scene::wall_impulses. They add up to the loads of the walls, except for half of
+  /// the last step, which the loads count in the next window.
   virtual std::vector<WallImpulse> take_wall_impulses() = 0;
 
-  /// What must be kept to go on bit for bit, between windows; on any executor, in this precision.
+  /// The state between two windows, enough to continue bit for bit on any executor in this precision.
   virtual SavedState save() const = 0;
-  /// Replaces everything by what a scene of the same case has saved. @throws BadInput as SavedState::get
+  /// Replaces the state by one that a scene of the same case has saved. @throws BadInput as SavedState::get
   virtual void restore(const SavedState& saved) = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/base/hd.hpp"
 #include "core/math/quat.hpp"
+#include "core/scene/contact_model.hpp"
 #include "core/scene/triangle_mesh.hpp"
 
 #include <optional>
@@ -24,7 +25,8 @@ struct Material {
 struct PairProperties {
   double friction = 0;          ///< Coulomb coefficient [-]
   double restitution = 1;       ///< of a normal impact, in (0, 1] [-]
-  double rolling_friction = 0;  ///< rolling torque = coefficient x R* x normal force [-]
+  double rolling_friction = 0;  ///< rolling torque <= coefficient x R* x normal force [-]
+  ContactModel model{};         ///< law of the normal force and of rolling resistance
 };
 
 /// Infinite plane; rock is on the side of the normal.
@@ -53,7 +55,7 @@ struct RotationMotion {
   Vec3d point;
   double speed;  ///< [rad/s]
 };
-/// Translation on a horizontal circle, starting at the drawn place: r (sin wt, 1 - cos wt, 0).
+/// Translation on a horizontal circle, starting at the drawn position: r (sin wt, 1 - cos wt, 0).
 struct CircularMotion {
   double radius, period;  ///< [m], [s]
 };
@@ -74,14 +76,23 @@ struct Wall {
   Index material = 0;
 };
 
-/// Where a wall is and how it moves: x_world = origin + rotate(turn, x_body),
-/// velocity at a world point p = velocity + spin x (p - origin).
+/// Where a wall is and how it moves: x_world = origin + rotate(orientation, x_body),
+/// velocity at a world point p = velocity + angular_velocity x (p - origin).
 struct WallPose {
   Vec3d origin{0, 0, 0};
   Quatd orientation{1, 0, 0, 0};
   Vec3d velocity{0, 0, 0};          ///< of the body's origin [m/s]
   Vec3d angular_velocity{0, 0, 0};  ///< [rad/s]
+
+  template <class F, class... P>
+  static constexpr void for_each_field(F&& f, P&... p) {
+    f("origin", p.origin...);
+    f("orientation", p.orientation...);
+    f("velocity", p.velocity...);
+    f("angular_velocity", p.angular_velocity...);
+  }
 };
+static_assert(declares_every_field<WallPose>);
 
 /// Parameters of all bonds of a scene. k_n = normal_stiffness + normal_modulus/L0 of the bond,
 /// k_s likewise: a case gives one part or the other.
@@ -95,15 +106,15 @@ struct BondParameters {
   double shear_modulus = 0;     ///< [Pa]
 };
 
-/// What no step may pass without being noted: beyond, the contacts' geometry or the bonds' law fails.
+/// Per-step limits; exceeding one raises a flag. Beyond them the contacts' geometry or the bonds' law fails.
 ///
-/// A sheet is passed unseen from a particle and a wall that each move by 0.2 R in a step only beyond an
-/// overlap of 0.8 R: from 0.2 R in front of it to as far behind it is 0.4 R.
+/// With a particle and a wall that each move by up to 0.2 R in a step, a particle crosses a thin wall unnoticed only
+/// where overlaps exceed 0.8 R: a crossing from 0.2 R in front of it to 0.2 R behind it takes 0.4 R.
 struct StepLimits {
   double overlap_ratio = 0.8;  ///< overlap / smaller radius [-]
   double speed_ratio = 0.2;    ///< v dt / R [-]
-  double rotation = 0.1;       ///< spin x dt [rad]
-  double bond_rotation = 0.5;  ///< 2 sin(theta/2), theta the turn of a bond's ends against each other [rad]
+  double rotation = 0.1;       ///< angular velocity x dt [rad]
+  double bond_rotation = 0.5;  ///< 2 sin(theta/2), theta the rotation of a bond's ends against each other [rad]
 };
 
 /// Everything about a DEM scene that does not change while it runs.
@@ -111,16 +122,17 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<PairProperties> pairs;  ///< square table, materials x materials
   Index rock_material = 0;
-  std::optional<BondParameters> bonds;  ///< none: unbreakable spheres, no bond memory or pass
+  std::optional<BondParameters> bonds;  ///< none: unbreakable spheres, no columns or pass of bonds
   std::vector<Wall> walls;
   Vec3d gravity{0, 0, -9.81};
   double dt = 0;              ///< [s]
-  int substeps = 1;           ///< steps over which contact and wall forces are held, bonds move on
-  double largest_radius = 0;  ///< of any particle that will ever be fed [m]
+  int substeps = 1;           ///< steps over which contact and wall forces are held; bonds take each step
   double neighbour_skin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
-  bool rolling = false;       ///< any pair has rolling friction
   StepLimits limits;
   bool wall_impulses = false;  ///< Dem::take_wall_impulses() has something to give
+
+  /// Time over which contact and wall forces are held [s].
+  double hold_time() const { return substeps * dt; }
 };
 
 }  // namespace gyro

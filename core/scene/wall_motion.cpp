@@ -59,26 +59,24 @@ struct MotionCheck {
   const Wall& wall;
   void operator()(const Fixed&) const {}
   void operator()(const LinearMotion& m) const {
-    require(finite(m.velocity), wall, "the linear velocity is not finite; three numbers in m/s are accepted");
+    require(finite(m.velocity), wall, "the linear velocity is not finite; give three numbers in m/s");
   }
   void operator()(const RotationMotion& m) const {
     require(finite(m.axis) && std::abs(norm(m.axis) - 1) < 1e-9, wall,
-            "the axis of rotation has no length; a direction that is not zero is accepted");
+            "the axis of rotation has no length; give a direction that is not zero");
     require(finite(m.point) && std::isfinite(m.speed), wall,
-            "the rotation is not finite; a point and a speed in rad/s are accepted");
+            "the rotation is not finite; give a point and a speed in rad/s");
   }
   void operator()(const CircularMotion& m) const {
-    require(m.radius >= 0 && std::isfinite(m.radius), wall,
-            "the radius of the circle is negative; 0 or more is accepted");
-    require(m.period > 0 && std::isfinite(m.period), wall,
-            "the period of the circle is not positive; more than 0 s is accepted");
+    require(m.radius >= 0 && std::isfinite(m.radius), wall, "the radius of the circle is negative; it must be >= 0");
+    require(m.period > 0 && std::isfinite(m.period), wall, "the period of the circle is not positive; it must be > 0");
   }
   void operator()(const GyrationMotion& m) const {
     require(m.pivot_height > 0 && std::isfinite(m.pivot_height), wall,
-            "the pivot is not above the discharge plane; a pivot_height above 0 is accepted");
+            "the pivot is not above the discharge plane; pivot_height must be > 0");
     require(m.eccentricity >= 0 && m.eccentricity < m.pivot_height, wall,
-            "the eccentricity is out of range; 0 up to below pivot_height is accepted");
-    require(std::isfinite(m.lift), wall, "the lift is not finite; a length is accepted");
+            "the eccentricity is out of range; it must be >= 0 and < pivot_height");
+    require(std::isfinite(m.lift), wall, "the lift is not finite; give a length");
   }
 };
 

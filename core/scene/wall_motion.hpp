@@ -6,7 +6,7 @@
 
 namespace gyro {
 
-/// The eccentric at one instant. Angles count turns, they are not wrapped.
+/// The eccentric at one instant. Angles grow without bound, they are not wrapped to 2 pi.
 struct MantleState {
   double angle = 0;       ///< eccentric angle theta: azimuth where the mantle is nearest [rad]
   double speed = 0;       ///< theta' [rad/s]
@@ -24,20 +24,20 @@ Vec3d mantle_axis(const GyrationMotion& motion, double angle);
 
 /// Pose of a gyrating body, exact from the angles, never integrated.
 ///
-///   turn  = Rz(theta) Ry(-b) Rz(psi - theta cos b),  psi = spin_angle
-///         = (least rotation z -> u) Rz(psi + theta (1 - cos b))
-///   spin  = theta' (z - cos b u) + sigma u
-///   origin = (0, 0, Lp) + (lift - Lp) u,  velocity = spin x (origin - pivot)
+///   orientation = Rz(theta) Ry(-b) Rz(psi - theta cos b),  psi = spin_angle
+///               = (least rotation z -> u) Rz(psi + theta (1 - cos b))
+///   angular_velocity = theta' (z - cos b u) + sigma u
+///   origin = (0, 0, Lp) + (lift - Lp) u,  velocity = angular_velocity x (origin - pivot)
 ///
-/// sigma is the spin about the own axis against a frame that follows u without turning about it.
+/// sigma is the spin about the own axis against a frame that follows u without rotating about it.
 /// Such a frame does not come back after a gyration, it has turned by the solid angle
 /// 2 pi (1 - cos b) of u's cone: hence the term theta (1 - cos b). Locked to the eccentric:
-/// sigma = theta' cos b, spin = theta' z. The test differentiates the pose.
+/// sigma = theta' cos b, angular_velocity = theta' z. The test differentiates the pose.
 WallPose gyration_pose(const GyrationMotion& motion, const MantleState& mantle);
 
 /// Pose of a wall.
 /// @param time    since the start of the run [s]
-/// @param mantle  the eccentric at that time; only GyrationMotion looks at it
+/// @param mantle  the eccentric at that time; only GyrationMotion uses it
 WallPose pose_of(const Wall& wall, double time, const MantleState& mantle);
 
 /// Upper bound on the speed at which a wall's surface sweeps through space [m/s]. A surface of revolution that

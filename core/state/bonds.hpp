@@ -1,53 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
 #include "core/base/hd.hpp"
-#include "core/math/vec3.hpp"
-#include "core/state/particles.hpp"
+#include "core/state/columns.hpp"
 
 namespace gyro {
 
 /// Life of a bond: it only ever moves to the right.
 enum BondState : std::int32_t {
   bond_intact = 0,
-  bond_pressed = 1,  ///< failed, ends not apart yet: a spring that only pushes
-  bond_broken = 2    ///< apart: the pair is an ordinary contact
+  bond_pressed = 1,  ///< broken, ends still pressed together: a spring that only pushes
+  bond_broken = 2    ///< broken and apart: the pair is an ordinary contact
 };
 
 /// Columns of the bonds. Real is the number type of the loads. A bond holds no history: 60 bytes in
-/// mixed precision, 4 of which are ever written while it is glued (the state); an unglued bond also stores its axis.
+/// mixed precision, 4 of which are ever written while it is intact (the state); a pressed bond also stores its axis.
 template <template <class> class Column, class Real>
 struct Bonds {
-  Column<Index> i, j;  ///< particles, id of i < id of j
-  Column<Real> axis_x, axis_y, axis_z;
-  Column<double> length;  ///< L0: double, because the stretch is a small difference [m]
-  Column<Real> radius, arm, strength, sqrt_mass, sqrt_inertia;
-  Column<std::int32_t> state;
-};
+  Column<Index> i, j;                   ///< particles, id of i < id of j
+  Column<Real> axis_x, axis_y, axis_z;  ///< from i to j, as in BondShape; pressed: in the world frame
+  Column<double> length;                ///< L0: double, because the stretch is a small difference [m]
+  Column<Real> radius;                  ///< Rb [m]
+  Column<Real> arm;                     ///< a_i, as in BondShape [-]
+  Column<Real> strength;                ///< factor on both strengths [-]
+  Column<Real> sqrt_mass;               ///< as in BondSection [kg^1/2]
+  Column<Real> sqrt_inertia;            ///< as in BondSection [kg^1/2 m]
+  Column<std::int32_t> state;           ///< BondState
 
-/// Calls f(name, column...) for every column of the bonds given, in step.
-template <class F, class... B>
-void for_each_bond_column(F&& f, B&... b) {
-  f("i", b.i...);
-  f("j", b.j...);
-  f("axis_x", b.axis_x...);
-  f("axis_y", b.axis_y...);
-  f("axis_z", b.axis_z...);
-  f("length", b.length...);
-  f("radius", b.radius...);
-  f("arm", b.arm...);
-  f("strength", b.strength...);
-  f("sqrt_mass", b.sqrt_mass...);
-  f("sqrt_inertia", b.sqrt_inertia...);
-  f("state", b.state...);
-}
+  template <class F, class... B>
+  static constexpr void for_each_column(F&& f, B&... b) {
+    f("i", b.i...);
+    f("j", b.j...);
+    f("axis_x", b.axis_x...);
+    f("axis_y", b.axis_y...);
+    f("axis_z", b.axis_z...);
+    f("length", b.length...);
+    f("radius", b.radius...);
+    f("arm", b.arm...);
+    f("strength", b.strength...);
+    f("sqrt_mass", b.sqrt_mass...);
+    f("sqrt_inertia", b.sqrt_inertia...);
+    f("state", b.state...);
+  }
+};
 
 template <class Real>
 using BondView = Bonds<Pointer, Real>;
-static_assert(sizeof(BondView<float>) == 12 * sizeof(void*), "a new column needs a line in for_each_bond_column");
+template <class Real>
+using ConstBondView = Bonds<ConstPointer, Real>;
+static_assert(declares_every_column<BondView<float>>());
 
 /// Bonds of a block start at a multiple of this, so that packs of a block never reach into the next.
-/// The places in between hold bonds that are gone.
+/// The rows in between hold broken bonds.
 inline constexpr Index bond_alignment = 8;
 
 /// What is known of a block as a whole.
@@ -63,15 +68,29 @@ struct Block {
   Index first_bond, end_bond;      ///< end is padded to bond_alignment
   Index first_colour, end_colour;  ///< range in the array of colour begins
   RockId rock;
-  std::int32_t state;
-};
+  std::int32_t state;  ///< BlockState
 
-/// All blocks of a scene, as executors see them.
-struct BlockList {
-  const Block* blocks;
-  Index count;
-  const Index* colour_begin;
-  Index colour_size;  ///< bonds in a colour, on average over all blocks: how many threads have work at once
+  template <class F, class... B>
+  static constexpr void for_each_field(F&& f, B&... b) {
+    f("first_particle", b.first_particle...);
+    f("end_particle", b.end_particle...);
+    f("first_bond", b.first_bond...);
+    f("end_bond", b.end_bond...);
+    f("first_colour", b.first_colour...);
+    f("end_colour", b.end_colour...);
+    f("rock", b.rock...);
+    f("state", b.state...);
+  }
+};
+static_assert(declares_every_field<Block>);
+
+/// The bonds that are not broken, by particle: row n of `bond` is [begin[n], begin[n + 1]).
+struct BondIndex {
+  const Index* begin;  ///< null without bonds
+  const Index* bond;
+  const Index *i, *j;         ///< as in Bonds
+  const std::int32_t* state;  ///< as in Bonds
+  const Block* blocks;        ///< null without rocks
 };
 
 /// A bond that failed, as the kernel saw it.

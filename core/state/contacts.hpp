@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
 #include "core/base/shared_counter.hpp"
-#include "core/laws/hertz_mindlin.hpp"
+#include "core/laws/contact/contact.hpp"
+#include "core/state/columns.hpp"
 
 namespace gyro {
 
-/// Notes contacts that are pressed in too deep.
+/// Raises a flag for contacts whose overlap exceeds the limit.
 struct OverlapCheck {
   double limit;                  ///< overlap / radius [-]
   std::int32_t* limit_exceeded;  ///< set to 1 by any contact beyond it
@@ -21,11 +23,15 @@ struct OverlapCheck {
 struct Pair {
   Index i, j;
   Index bond;  ///< bond of the same two particles, or none: while it holds, the pair is no contact
-};
 
-/// What a contact remembers from one step to the next. Zero while the pair does not touch.
-template <class Real>
-using ContactHistory = ContactHistory<Real>;
+  template <class F, class... P>
+  static constexpr void for_each_field(F&& f, P&... p) {
+    f("i", p.i...);
+    f("j", p.j...);
+    f("bond", p.bond...);
+  }
+};
+static_assert(declares_every_field<Pair>);
 
 /// Result of a pair for this step.
 template <class Real>
@@ -41,16 +47,33 @@ struct PairEnd {
   std::int32_t side;  ///< 0: the particle is i; 1: it is j
 };
 
-/// Neighbour lists as kernels see them. Rows of ends are ordered by the partner's id.
-template <class Real>
-struct PairView {
-  Pair* pairs;
-  ContactHistory<Real>* history;
-  PairResult<Real>* result;
-  std::int8_t* touching;
-  Index* row_begin;  ///< per particle, into ends; one past the end at the last
-  PairEnd* ends;
-  Index count;
+/// Columns of the pair list: pairs of particles whose surfaces are nearer than the skin.
+template <template <class> class Column, class Real>
+struct Pairs {
+  Column<Pair> pair;
+  Column<ContactHistory<Real>> history;  ///< zero while the pair does not touch
+  Column<ExtraHistory<Real>> extra;      ///< likewise; empty unless the contact law keeps it
+  Column<PairResult<Real>> result;
+  Column<std::int8_t> touching;  ///< 1: in contact in this step
+  Column<Index> row_begin;       ///< per particle, into ends; one past the end at the last
+  Column<PairEnd> ends;          ///< rows ordered by the partner's id
+
+  template <class F, class... P>
+  static constexpr void for_each_column(F&& f, P&... p) {
+    f("pair", p.pair...);
+    f("history", p.history...);
+    f("extra", p.extra...);
+    f("result", p.result...);
+    f("touching", p.touching...);
+    f("row_begin", p.row_begin...);
+    f("ends", p.ends...);
+  }
 };
+
+template <class Real>
+using PairView = Pairs<Pointer, Real>;
+template <class Real>
+using ConstPairView = Pairs<ConstPointer, Real>;
+static_assert(declares_every_column<PairView<float>>());
 
 }  // namespace gyro

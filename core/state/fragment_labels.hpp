@@ -36,7 +36,7 @@ struct HookRoots {
   }
 };
 
-/// Halves the way to the root: reads one array and writes another, so no order matters.
+/// Halves the path to the root: reads one array and writes another, so no order matters.
 template <class Atomics>
 struct JumpToGrandparent {
   const Index* parent;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fields.hpp"
 #include "core/scene/scene.hpp"
+#include "core/state/columns.hpp"
 #include "core/state/contacts.hpp"
 #include "core/surfaces/touch_wall.hpp"
 
@@ -18,50 +20,116 @@ struct WallSurface {
   double extent;  ///< largest distance of the surface from the body's origin, 0 for a plane [m]
 };
 
+/// The walls of a scene as they stand in this step.
+struct WallsNow {
+  const WallSurface* surfaces;
+  const WallPose* poses;  ///< null before the first window
+  Index count;
+};
+
 /// A particle near a wall.
 struct WallEntry {
   Index particle;
   Index wall;
   SegmentRange range;  ///< of a profile
+
+  template <class F, class... E>
+  static constexpr void for_each_field(F&& f, E&... e) {
+    f("particle", e.particle...);
+    f("wall", e.wall...);
+    f("range", e.range...);
+  }
 };
+static_assert(declares_every_field<WallEntry>);
+
+/// One contact of a sphere and a wall, as the next step finds it again.
+template <class Real>
+struct WallContact {
+  ContactHistory<Real> history;  ///< of the force on the particle
+  Vec3<Real> normal;             ///< unit vector from wall to sphere, world frame
+
+  template <class F, class... C>
+  static constexpr void for_each_field(F&& f, C&... c) {
+    f("history", c.history...);
+    f("normal", c.normal...);
+  }
+};
+static_assert(declares_every_field<WallContact<float>>);
 
 /// Contacts of one entry: as many as a sphere can have with one wall.
 template <class Real>
 struct WallHistory {
-  ContactHistory<Real> contact[WallTouches::capacity];  ///< force on the particle
-  Vec3<Real> normal[WallTouches::capacity];             ///< wall to sphere; finds the contact again
+  WallContact<Real> contact[WallTouches::capacity];
   std::int32_t count;
+};
+
+/// History that only some contact laws keep, of the contacts of one entry.
+template <class Real>
+struct WallExtraHistory {
+  ExtraHistory<Real> contact[WallTouches::capacity];
 };
 
 /// Result of an entry for this step.
 template <class Real>
 struct WallResult {
-  Vec3<Real> force, torque;  ///< on the particle
+  Vec3<Real> force, torque;  ///< on the particle [N], [N m]
   Real damped, slipped;      ///< [J]
 };
+
+/// Columns of the wall list: particles nearer to a wall than the skin. Rows are ordered by wall.
+template <template <class> class Column, class Real>
+struct WallPairs {
+  Column<WallEntry> entry;
+  Column<WallHistory<Real>> history;
+  Column<WallExtraHistory<Real>> extra;  ///< empty unless the contact law keeps it
+  Column<WallResult<Real>> result;
+  Column<std::int8_t> touching;  ///< 1: in contact in this step
+  Column<Index> row_begin;       ///< per particle; one past the end at the last
+
+  template <class F, class... W>
+  static constexpr void for_each_column(F&& f, W&... w) {
+    f("entry", w.entry...);
+    f("history", w.history...);
+    f("extra", w.extra...);
+    f("result", w.result...);
+    f("touching", w.touching...);
+    f("row_begin", w.row_begin...);
+  }
+};
+
+template <class Real>
+using WallPairView = WallPairs<Pointer, Real>;
+template <class Real>
+using ConstWallPairView = WallPairs<ConstPointer, Real>;
+static_assert(declares_every_column<WallPairView<float>>());
 
 /// What rock did to a wall: whole numbers of a quantum, so that the sum is exact and the same
 /// whatever the order, the threads and the times at which lists are rebuilt.
 struct WallSum {
-  std::int64_t force[3] = {0, 0, 0};   ///< sum over steps [quantum of N s]
-  std::int64_t torque[3] = {0, 0, 0};  ///< about the world's origin
-  std::int64_t work = 0;               ///< of the wall on the rock
-  std::int64_t slip = 0;               ///< lost in sliding friction
+  Vec3<std::int64_t> force{0, 0, 0};   ///< sum over steps [quantum of N s]
+  Vec3<std::int64_t> torque{0, 0, 0};  ///< about the world's origin [quantum of N m s]
+  std::int64_t work = 0;               ///< of the wall on the rock [quantum of J]
+  std::int64_t slip = 0;               ///< lost in sliding friction [quantum of J]
+
+  GYRO_HD friend WallSum operator+(const WallSum& a, const WallSum& b) {
+    return {a.force + b.force, a.torque + b.torque, a.work + b.work, a.slip + b.slip};
+  }
+
+  template <class F, class... S>
+  static constexpr void for_each_field(F&& f, S&... s) {
+    f("force", s.force...);
+    f("torque", s.torque...);
+    f("work", s.work...);
+    f("slip", s.slip...);
+  }
 };
+static_assert(declares_every_field<WallSum>);
 inline constexpr double wall_quantum = 1.0 / (1LL << 44);  ///< [N s], [N m s], [J]
 
-template <class Real>
-struct WallView {
-  const WallSurface* surfaces;
-  const WallPose* poses;  ///< of this step
-  WallEntry* entries;
-  WallHistory<Real>* history;
-  WallResult<Real>* result;
-  std::int8_t* touching;
-  WallSum* sums;          ///< one an entry: of the window so far
-  WallSum* carried_over;  ///< one an entry: what of the last step's loads acts in the next window
-  Index* row_begin;       ///< per particle; rows are ordered by wall
-  Index count;
+/// Where the wall forces of a step book what they did, one sum a row of the wall list.
+struct WallBooking {
+  WallSum* sums;          ///< of the window so far
+  WallSum* carried_over;  ///< what of the last step's loads acts in the next window
 };
 
 }  // namespace gyro

@@ -90,14 +90,14 @@ void MeshGrid::take(const TriangleMesh& shape) {
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
     const Vec3d& v = shape.vertices[i];
     if (!(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)))
-      throw BadInput("vertex " + std::to_string(i) + " of the mesh is not finite; finite coordinates are accepted");
+      throw BadInput("vertex " + std::to_string(i) + " of the mesh is not finite; give finite coordinates");
   }
   const auto count = static_cast<Index>(shape.vertices.size());
   triangles_.reserve(shape.triangles.size());
   for (const Vec3<Index>& t : shape.triangles) {
     if (std::min({t.x, t.y, t.z}) < 0 || std::max({t.x, t.y, t.z}) >= count)
-      throw BadInput("a triangle of the mesh names a vertex that is not there; 0 to " + std::to_string(count - 1) +
-                     " are accepted");
+      throw BadInput("a triangle of the mesh names a vertex that does not exist; use 0 to " +
+                     std::to_string(count - 1));
     const auto corner = [&](Index i) { return shape.vertices[static_cast<std::size_t>(i)]; };
     const Vec3d a = corner(t.x), b = corner(t.y), c = corner(t.z);
     const Vec3d area = cross(b - a, c - a);

@@ -16,6 +16,8 @@ struct ProfileSegment {
 struct SegmentRange {
   Index first, last;
 };
+template <>
+struct RowOf<SegmentRange> : MadeOf<Index> {};
 
 /// A surface of revolution as kernels see it. The arrays belong to a ProfileSurface or its copy.
 struct ProfileView {

@@ -9,17 +9,16 @@ namespace gyro {
 
 ProfileSurface::ProfileSurface(const ProfileShape& shape) {
   if (shape.points.size() < 2)
-    throw BadInput("the profile has " + std::to_string(shape.points.size()) + " points; two or more are accepted");
+    throw BadInput("the profile has " + std::to_string(shape.points.size()) + " points; it needs two or more");
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
     const ProfilePoint& p = shape.points[i];
     const std::string which = "point " + std::to_string(i) + " of the profile ";
-    if (!(std::isfinite(p.r) && std::isfinite(p.z)))
-      throw BadInput(which + "is not finite; finite numbers are accepted");
-    if (p.r < 0) throw BadInput(which + "has a negative radius; 0 or more is accepted");
+    if (!(std::isfinite(p.r) && std::isfinite(p.z))) throw BadInput(which + "is not finite; give finite numbers");
+    if (p.r < 0) throw BadInput(which + "has a negative radius; it must be >= 0");
     if (i == 0) continue;
     const ProfilePoint& q = shape.points[i - 1];
     const double length = std::hypot(p.r - q.r, p.z - q.z);
-    if (!(length > 0)) throw BadInput(which + "repeats the one before; distinct neighbours are accepted");
+    if (!(length > 0)) throw BadInput(which + "repeats the one before; remove one of them");
     segments_.push_back({q.r, q.z, (p.r - q.r) / length, (p.z - q.z) / length, length});
   }
   fill_bins(shape);

@@ -33,13 +33,19 @@ std::vector<Material> materials_of(const Setting& section) {
   return materials;
 }
 
+ContactModel model_of(const Setting& pair) {
+  return {pair.text("normal") == "hysteretic" ? NormalModel::hysteretic : NormalModel::hertz,
+          pair.text("rolling") == "spring_dashpot" ? RollingModel::spring_dashpot : RollingModel::constant};
+}
+
 std::vector<CaseContact> contacts_of(const Setting& section, const std::vector<Material>& materials) {
   std::vector<CaseContact> contacts;
   for (const Setting& pair : section.children) {
     const std::size_t slash = pair.name.find('/');
-    contacts.push_back({index_of(materials, pair.name.substr(0, slash)),
-                        index_of(materials, pair.name.substr(slash + 1)),
-                        {pair.number("friction"), pair.number("restitution"), pair.number("rolling_friction")}});
+    contacts.push_back(
+        {index_of(materials, pair.name.substr(0, slash)),
+         index_of(materials, pair.name.substr(slash + 1)),
+         {pair.number("friction"), pair.number("restitution"), pair.number("rolling_friction"), model_of(pair)}});
   }
   return contacts;
 }

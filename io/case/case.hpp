@@ -215,7 +215,7 @@ struct CaseReport {
 ///                   `null` leaves the key out
 CaseReport load_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// FILE:LINE:COLUMN: problem; what is accepted
+/// FILE:LINE:COLUMN: problem; what to do
 std::string to_string(const CaseProblem& problem);
 
 /// A problem that showed only after loading, at the place of the key to blame: where the file or the last
@@ -232,7 +232,7 @@ struct CaseDifference {
   std::string value, other;  ///< "not there" where a case leaves it out
 };
 
-/// Where two resolved cases differ in more than time.duration and `output`, which a run that goes on may change.
+/// Where two resolved cases differ in other keys than time.duration and `output`, which a continued run may change.
 std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other);
 
 /// Square table materials x materials for Scene::pairs. Pairs that cannot touch keep PairProperties' defaults.

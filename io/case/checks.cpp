@@ -24,7 +24,7 @@ bool expect_name(const Setting* section, const std::string& name, const std::str
   const std::string_view meant = closest(name, names);
   log.add(mark, "there is no " + what + " " + in_quotes(name) + "; " +
                     (meant.empty() ? "" : "did you mean " + in_quotes(meant) + "? ") +
-                    (names.empty() ? "none is given" : choice(names) + " is accepted"));
+                    (names.empty() ? "define one" : "use " + choice(names)));
   return false;
 }
 
@@ -44,8 +44,7 @@ void check_contacts(const Setting& root, CaseProblems& log) {
     if (b != a) all_known &= expect_name(materials, b, "material", contact.mark, log);
     const std::pair<std::string, std::string> pair = std::minmax(a, b);
     if (std::find(given.begin(), given.end(), pair) != given.end())
-      log.add(contact.mark,
-              "the pair " + in_quotes(contact.name) + " is given in both orders; one of them is accepted");
+      log.add(contact.mark, "the pair " + in_quotes(contact.name) + " is given in both orders; give it once");
     given.push_back(pair);
   }
   // A misspelt pair is probably the one that would be missed; without particles nothing can touch.
@@ -61,7 +60,38 @@ void check_contacts(const Setting& root, CaseProblems& log) {
     if (materials->find(partner) != nullptr && std::find(given.begin(), given.end(), pair) == given.end())
       log.add(
           contacts != nullptr ? contacts->mark : root.mark,
-          "contacts lacks \"rock/" + partner + "\", which can touch; friction and restitution of the pair are needed");
+          "contacts lacks \"rock/" + partner + "\", which can touch; add the pair with its friction and restitution");
+  }
+}
+
+/// Whether a wall is made of a material.
+bool is_wall_material(const Setting& root, const std::string& material) {
+  const Setting* walls = root.find("walls");
+  return walls != nullptr && std::any_of(walls->children.begin(), walls->children.end(), [&](const Setting& wall) {
+           return wall.find("material") != nullptr && wall.text("material") == material;
+         });
+}
+
+/// Rock meets all walls under one contact law. The rolling law of a pair without rolling friction does not matter.
+void check_wall_laws(const Setting& root, CaseProblems& log) {
+  const Setting* contacts = root.find("contacts");
+  if (contacts == nullptr) return;
+  const Setting *normal = nullptr, *rolling = nullptr;
+  const auto expect_same = [&](const Setting* law, const Setting*& first) {
+    if (law == nullptr) return;
+    if (first == nullptr) first = law;
+    if (first->texts[0] != law->texts[0])
+      log.add(law->mark, "rock meets another wall with " + law->name + ": " + first->texts[0] +
+                             "; give all pairs of rock and a wall the same law");
+  };
+  for (const Setting& pair : contacts->children) {
+    const std::size_t slash = pair.name.find('/');
+    const std::string a = pair.name.substr(0, slash), b = pair.name.substr(slash + 1);
+    if (a != "rock" && b != "rock") continue;
+    if (!is_wall_material(root, a == "rock" ? b : a)) continue;
+    expect_same(pair.find("normal"), normal);
+    const Setting* friction = pair.find("rolling_friction");
+    if (friction != nullptr && friction->numbers[0] > 0) expect_same(pair.find("rolling"), rolling);
   }
 }
 
@@ -69,7 +99,7 @@ void expect_direction(const Setting* vector, const std::string& what, CaseProble
   if (vector == nullptr) return;
   const std::vector<double>& v = vector->numbers;
   if (v[0] == 0 && v[1] == 0 && v[2] == 0)
-    log.add(vector->mark, what + " has no direction; a vector other than [0, 0, 0] is accepted");
+    log.add(vector->mark, what + " has no direction; give a vector other than [0, 0, 0]");
 }
 
 void check_shape(const Setting& wall, bool profile, CaseProblems& log) {
@@ -77,12 +107,12 @@ void check_shape(const Setting& wall, bool profile, CaseProblems& log) {
   if (profile && (wall.name == "concave" || wall.name == "mantle")) {
     if (mesh || plane)
       log.add((mesh ? wall.find("stl") : wall.find("plane"))->mark,
-              "walls." + wall.name + " has two shapes, this one and crusher.profile; exactly one of them is accepted");
+              "walls." + wall.name + " has two shapes, this one and crusher.profile; give exactly one of them");
     return;
   }
   if (mesh == plane && (mesh || (wall.lacks("stl") && wall.lacks("plane"))))
     log.add(wall.mark, "walls." + wall.name + (mesh ? " has two shapes" : " has no shape") +
-                           "; exactly one of stl or plane is accepted");
+                           "; give exactly one of stl and plane");
 }
 
 void check_walls(const Setting& root, CaseProblems& log) {
@@ -98,9 +128,9 @@ void check_walls(const Setting& root, CaseProblems& log) {
     const Setting* motion = wall.find("motion");
     const bool gyrates = motion != nullptr && !motion->texts.empty() && motion->texts[0] == "gyration";
     if (gyrates && root.lacks("crusher"))
-      log.add(motion->mark, "motion: gyration needs the section crusher; add it or let the wall be fixed");
+      log.add(motion->mark, "motion: gyration needs the section crusher; add it, or use motion: fixed");
     if (gyrates && wall.find("plane") != nullptr)
-      log.add(motion->mark, "a plane cannot gyrate; a wall from stl or from crusher.profile is accepted");
+      log.add(motion->mark, "a plane cannot gyrate; take the wall from stl or from crusher.profile");
   }
 }
 
@@ -111,7 +141,7 @@ void check_motor(const Setting& motor, CaseProblems& log) {
     return setting == nullptr ? 0 : setting->numbers.at(0);
   };
   if (const Setting* voltage = motor.find("voltage"); voltage != nullptr && motor.find("voltage_file") != nullptr)
-    log.add(voltage->mark, "voltage and voltage_file exclude each other; one of them is accepted");
+    log.add(voltage->mark, "voltage and voltage_file exclude each other; give only one of them");
   const Setting* model = motor.find("model");
   if (model == nullptr || model->texts[0] != "double_cage") return;
   const DoubleCageMotor plate{number("rated_power"), number("synchronous_speed"), number("rated_slip"),
@@ -131,12 +161,11 @@ void check_machine(const Setting& root, CaseProblems& log) {
     const Setting* arm = crusher->find("eccentricity");
     const Setting* pivot = crusher->find("pivot_height");
     if (arm != nullptr && pivot != nullptr && arm->numbers[0] >= pivot->numbers[0])
-      log.add(arm->mark, "the eccentricity is not smaller than pivot_height; a fraction of it is accepted");
+      log.add(arm->mark, "eccentricity is not smaller than pivot_height; it must be a fraction of it");
   }
   const Setting* drive = root.find("drivetrain");
   if (drive == nullptr) return;
-  if (root.lacks("crusher"))
-    log.add(drive->mark, "drivetrain has nothing to turn; the section crusher is needed beside it");
+  if (root.lacks("crusher")) log.add(drive->mark, "drivetrain has no crusher to turn; add the section crusher");
   if (const Setting* motor = drive->find("motor")) check_motor(*motor, log);
   const Setting* model = drive->find("motor.model");
   const bool constant = model != nullptr && model->texts[0] == "constant_speed";
@@ -144,42 +173,42 @@ void check_machine(const Setting& root, CaseProblems& log) {
   const Setting* eccentric = drive->find("inertia.eccentric");
   if (model != nullptr && !constant && motor != nullptr && eccentric != nullptr &&
       motor->numbers[0] + eccentric->numbers[0] == 0)
-    log.add(drive->mark, "drivetrain.inertia is zero; a positive inertia of motor or eccentric is accepted");
+    log.add(drive->mark, "drivetrain.inertia is zero; inertia.motor or inertia.eccentric must be > 0");
   if (const Setting* start = drive->find("start"); constant && start != nullptr && start->texts[0] == "rest")
-    log.add(start->mark, "a motor of constant speed cannot start from rest; start: running is accepted");
+    log.add(start->mark, "a motor of constant speed cannot start from rest; use start: running");
 }
 
 /// Which of the three forms of feed is meant, and whether another one is mixed in.
 void check_feed(const Setting& root, CaseProblems& log) {
   const Setting* feed = root.find("feed");
   if (feed == nullptr) return;
-  if (root.lacks("rocks")) log.add(feed->mark, "feed has nothing to feed; the section rocks is needed beside it");
+  if (root.lacks("rocks")) log.add(feed->mark, "feed has no rocks to draw from; add the section rocks");
   const auto has = [&](std::string_view key) { return feed->find(key) != nullptr; };
   const auto refuse = [&](const std::string& form, std::initializer_list<std::string_view> others) {
     for (const std::string_view other : others)
       if (const Setting* extra = feed->find(other); extra != nullptr && extra->given)
-        log.add(extra->mark, "feed." + std::string(other) + " does not go with feed." + form +
-                                 "; exactly one of initial with rate, mass, or rocks with at is accepted");
+        log.add(extra->mark, "feed." + std::string(other) + " cannot be combined with feed." + form +
+                                 "; give exactly one of: initial with rate, mass, or rocks with at");
   };
   if (has("rocks") || has("at")) {
     refuse(has("rocks") ? "rocks" : "at", {"initial", "initial_top", "rate", "mass", "above"});
     if (const Setting* start = feed->find("start"); start != nullptr && start->numbers[0] != 0)
-      log.add(start->mark, "placed rocks are there at t = 0; feed.start: 0 is accepted");
+      log.add(start->mark, "placed rocks are present from t = 0; remove feed.start");
     if (feed->lacks("rocks") || feed->lacks("at"))
-      log.add(feed->mark, "feed.rocks and feed.at go together; both are accepted");
+      log.add(feed->mark, "feed.rocks and feed.at belong together; give both");
     return;
   }
   if (has("mass")) {
     refuse("mass", {"initial", "initial_top", "rate"});
   } else if (feed->lacks("initial") && feed->lacks("rate") && feed->lacks("mass")) {
-    log.add(feed->mark, "feed says no amount; exactly one of initial with rate, mass, or rocks with at is accepted");
+    log.add(feed->mark, "feed has no amount; give exactly one of: initial with rate, mass, or rocks with at");
   }
   if (const Setting* above = feed->find("above")) {
     if (!expect_name(root.find("walls"), above->texts[0], "wall", above->mark, log)) return;
     if (root.find("walls")->find(above->texts[0])->find("plane") != nullptr)
-      log.add(above->mark, "a plane has no opening to feed above; a wall from stl or from crusher.profile is accepted");
+      log.add(above->mark, "a plane has no opening to feed above; name a wall from stl or from crusher.profile");
   } else if (feed->lacks("above")) {
-    log.add(feed->mark, "feed does not say above which wall; feed.above: a name of walls is accepted");
+    log.add(feed->mark, "feed does not say above which wall; set feed.above to a name from walls");
   }
 }
 
@@ -190,8 +219,7 @@ void expect_order(const Setting& root, std::string_view section, std::string_vie
   const Setting* a = law == nullptr ? nullptr : law->find(small);
   const Setting* b = law == nullptr ? nullptr : law->find(large);
   if (a != nullptr && b != nullptr && !(a->numbers[0] < b->numbers[0]))
-    log.add(a->mark,
-            std::string(small) + " is not smaller than " + std::string(large) + "; a smaller size is accepted");
+    log.add(a->mark, std::string(small) + " is not smaller than " + std::string(large) + "; give a smaller size");
 }
 
 /// Keys that refine one form of a section do not go with the other.
@@ -201,8 +229,8 @@ void refuse_beside(const Setting& root, const std::string& section, const std::s
   if (said == nullptr || said->find(form) == nullptr) return;
   for (const char* key : keys) {
     if (const Setting* extra = said->find(key))
-      log.add(extra->mark, section + "." + key + " does not go with " + section + "." + form + "; it goes with " +
-                               section + "." + other);
+      log.add(extra->mark, section + "." + key + " cannot be combined with " + section + "." + form +
+                               "; it belongs to " + section + "." + other);
   }
 }
 
@@ -213,19 +241,19 @@ void check_rocks(const Setting& root, CaseProblems& log) {
   const Setting* opening = root.find("rocks.sizes.vendor.feed_opening");
   if (minimum != nullptr && opening != nullptr && !(minimum->numbers[0] < 0.1 * opening->numbers[0]))
     log.add(minimum->mark,
-            "min is not below 0.1 of feed_opening, which half of the feed passes; a smaller size is accepted");
+            "min is not below 0.1 of feed_opening, the size that half of the feed passes; give a smaller size");
   if (const Setting* passing = root.find("rocks.sizes.passing")) {
     const std::vector<double>& v = passing->numbers;
     for (std::size_t k = 2; k + 1 < v.size(); k += 2) {
       if (!(v[k] > v[k - 2]))
-        log.add(passing->item_marks[k], "sizes do not rise; each larger than the one before is accepted");
+        log.add(passing->item_marks[k], "sizes do not rise; each size must be larger than the one before");
       if (v[k + 1] < v[k - 1])
-        log.add(passing->item_marks[k + 1], "passing falls; each share at least the one before is accepted");
+        log.add(passing->item_marks[k + 1], "passing falls; each share must be >= the one before");
     }
     if (v[1] != 0)
-      log.add(passing->item_marks[1], "the smallest size passes something; a first share of 0 is accepted");
+      log.add(passing->item_marks[1], "the share that passes the smallest size is not 0; the first share must be 0");
     if (v.back() != 1)
-      log.add(passing->item_marks.back(), "the largest size does not pass all; a last share of 1 is accepted");
+      log.add(passing->item_marks.back(), "the share that passes the largest size is not 1; the last share must be 1");
   }
   refuse_beside(root, "rocks.fill", "ratio", "sizes", {"exponent"}, log);
   refuse_beside(root, "rocks.fill", "sizes", "ratio", {"surface"}, log);
@@ -239,7 +267,7 @@ void check_rocks(const Setting& root, CaseProblems& log) {
   const Setting* range = scatter == nullptr ? nullptr : scatter->find("range");
   const double middle = mean == nullptr ? 1 : mean->numbers[0];  // of the paper's literal scatter
   if (range != nullptr && scatter->lost.empty() && (middle < range->numbers[0] || middle > range->numbers[1]))
-    log.add(range->mark, "the mean of strength_scatter is not inside the range; a range around it is accepted");
+    log.add(range->mark, "the mean of strength_scatter is not inside the range; give a range that contains it");
 }
 
 /// One bonded rock, two planes, one of which moves straight on, and a cylinder where the test needs one.
@@ -249,34 +277,35 @@ void check_laboratory(const Setting& root, CaseProblems& log) {
   if (root.find("crusher") != nullptr)
     log.add(laboratory->mark, "laboratory measures one rock, not a crusher; leave out one of the two sections");
   if (root.find("bonds") == nullptr)
-    log.add(laboratory->mark, "laboratory measures when bonds break; the section bonds is accepted with it");
+    log.add(laboratory->mark, "laboratory measures the breakage of bonds; add the section bonds");
   for (const char* key : {"fixed", "moving"}) {
     const Setting* name = laboratory->find(key);
     if (name == nullptr || !expect_name(root.find("walls"), name->texts[0], "wall", name->mark, log)) continue;
     const Setting& wall = *root.find("walls")->find(name->texts[0]);
-    if (wall.find("plane") == nullptr) log.add(name->mark, "a platen is a plane; a wall with plane is accepted");
+    if (wall.find("plane") == nullptr) log.add(name->mark, "a platen must be a plane; name a wall with plane");
     if (std::string_view(key) == "moving" && wall.find("motion.linear") == nullptr)
-      log.add(name->mark, "the moving platen does not move; a wall with motion: {linear: ...} is accepted");
+      log.add(name->mark, "the moving platen does not move; name a wall with motion: {linear: ...}");
   }
   const Setting* test = laboratory->find("test");
   if (test != nullptr && test->texts[0] != "platen" && root.find("rocks.shapes.cylinder") == nullptr)
-    log.add(test->mark, "a " + test->texts[0] + " test needs a cylinder; rocks.shapes.cylinder is accepted");
+    log.add(test->mark, "a " + test->texts[0] + " test needs a cylinder; use rocks.shapes.cylinder");
 }
 
 void check_run(const Setting& root, CaseProblems& log) {
   const Setting* step = root.find("time.step");
   const Setting* interval = root.find("coupling.interval");
   if (step != nullptr && !step->numbers.empty() && interval != nullptr && step->numbers[0] > interval->numbers[0])
-    log.add(step->mark, "time.step is longer than coupling.interval; a step that fits into it is accepted");
+    log.add(step->mark, "time.step is longer than coupling.interval; reduce it to coupling.interval or less");
   const Setting* bonds = root.find("particles.bonds");
   if (bonds != nullptr && root.lacks("bonds"))
-    log.add(bonds->mark, "particles.bonds needs the section bonds; their stiffness and strengths are accepted there");
+    log.add(bonds->mark, "particles.bonds needs the section bonds; add it with the stiffness and strengths");
 }
 
 }  // namespace
 
 void check_settings(const Setting& root, CaseProblems& log) {
   check_contacts(root, log);
+  check_wall_laws(root, log);
   check_walls(root, log);
   check_machine(root, log);
   check_feed(root, log);

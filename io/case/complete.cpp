@@ -44,9 +44,9 @@ void resolve_paths(Setting& setting, const fs::path& folder, CaseProblems& probl
     const fs::file_status status = fs::status(path, error);
     const std::string name = setting.name + ": \"" + setting.texts[k] + "\"";
     if (!fs::exists(status))
-      problems.add(mark, name + " is not there (" + path.string() + "); the path of a file is accepted");
+      problems.add(mark, name + " does not exist (" + path.string() + "); give the path of a file");
     else if (fs::is_directory(status))
-      problems.add(mark, name + " is a directory; the path of a file is accepted");
+      problems.add(mark, name + " is a directory; give the path of a file");
     setting.texts[k] = path.string();
   }
 }

@@ -53,7 +53,7 @@ class CsvReader {
         read_row(line, number);
       }
     }
-    if (table_.header.empty()) problem(1, 1, "the table is empty; a header row " + accepted() + " is accepted");
+    if (table_.header.empty()) problem(1, 1, "the table is empty; it must begin with the header row " + expected());
     return table_;
   }
 
@@ -61,7 +61,7 @@ class CsvReader {
   void problem(int line, int column, std::string message) {
     if (table_.problems.size() < max_problems) table_.problems.push_back({line, column, std::move(message)});
   }
-  std::string accepted() const {
+  std::string expected() const {
     std::string text = joined(wanted_);
     for (const auto& group : groups_) text += "[," + joined(group) + "]";
     return text;
@@ -79,7 +79,7 @@ class CsvReader {
     for (const auto& group : groups_)
       if (good) take(group);
     good = good && rest.empty();
-    if (!good) problem(number, 1, "the header row is \"" + line.substr(0, 120) + "\"; " + accepted() + " is accepted");
+    if (!good) problem(number, 1, "the header row is \"" + line.substr(0, 120) + "\"; it must be " + expected());
     table_.header = std::move(names);
     return good;
   }
@@ -87,8 +87,8 @@ class CsvReader {
     const std::vector<Cell> cells = cells_of(line);
     if (cells.size() != table_.header.size())
       return problem(number, 1,
-                     "the row has " + std::to_string(cells.size()) + " cells; " + std::to_string(table_.header.size()) +
-                         " as in the header are accepted");
+                     "the row has " + std::to_string(cells.size()) + " cells; it must have " +
+                         std::to_string(table_.header.size()) + ", as the header");
     std::vector<double> row;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const std::string_view text = cells[k].text;
@@ -96,8 +96,8 @@ class CsvReader {
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
       if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
         problem(number, cells[k].column,
-                "\"" + std::string(text.substr(0, 40)) + "\" is no value of " + table_.header[k] +
-                    "; a finite number is accepted");
+                "\"" + std::string(text.substr(0, 40)) + "\" is not a value of " + table_.header[k] +
+                    "; give a finite number");
       row.push_back(value);
     }
     table_.rows.push_back(std::move(row));
@@ -121,7 +121,7 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
   std::ifstream stream(file);
   if (stream) return CsvReader(header, groups).read(stream);
   CsvTable unreadable;
-  unreadable.problems.push_back({1, 1, "cannot be opened; a readable file is accepted"});
+  unreadable.problems.push_back({1, 1, "cannot be opened; check its permissions"});
   return unreadable;
 }
 

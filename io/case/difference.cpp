@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 
-// Whether a run may go on with a case: what its checkpoint was written for, against what is asked now.
+// Whether a run may continue with a case: the case of its checkpoint against the case asked for now.
 
 namespace gyro {
 namespace {

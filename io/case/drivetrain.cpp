@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/parts.hpp"
 
+#include <type_traits>
+
 namespace gyro {
 namespace {
 
@@ -13,21 +15,22 @@ NemaDesign design_of(const std::string& letter) {
   return static_cast<NemaDesign>(letter.at(0) - 'A');
 }
 
+/// Parameters that are numbers have a key of their own name; the points of a curve come from its table.
+/// @throws BadInput for a name plate that no motor has
 Motor motor_of(const Setting& section, const CaseTables& tables) {
   const std::string& model = section.text("model");
-  if (model == "induction")
-    return InductionMotor{section.number("rated_power"), section.number("synchronous_speed"),
-                          section.number("rated_slip"), section.number("breakdown_ratio")};
-  if (model == "double_cage")
-    return solve_cages({section.number("rated_power"), section.number("synchronous_speed"),
-                        section.number("rated_slip"), section.number("breakdown_ratio"),
-                        section.number("starting_ratio")});
   if (model == "nema")
     return nema_motor(design_of(section.text("design")), section.number("rated_power"),
                       section.number("synchronous_speed"));
-  if (model == "droop") return DroopMotor{section.number("synchronous_speed"), section.number("stall_torque")};
-  if (model == "curve") return tables.motor;
-  return ConstantSpeedMotor{section.number("speed")};
+  Motor motor = motor_of_model(model);
+  for_each_parameter(
+      [&]<class T>(const char* key, const char*, T& field, const char*) {
+        if constexpr (std::is_same_v<T, double>) field = section.number(key);
+      },
+      motor);
+  if (auto* curve = std::get_if<CurveMotor>(&motor)) *curve = tables.motor;
+  complete_motor(motor);
+  return motor;
 }
 
 Bearing bearing_of(const Setting& bearings, std::string_view name) {

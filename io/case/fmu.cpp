@@ -52,12 +52,12 @@ void read_drive_fmu(const Setting& root, CaseTables& tables, CaseProblems& probl
     if (const Setting* depth = drive.find("bushing_depth")) fmu.bushing_depth = depth->numbers.at(0);
     const bool forces = linked(fmu.links, FmuQuantity::bushing_force) || linked(fmu.links, FmuQuantity::spider_force);
     if (forces && drive.lacks("bushing_depth"))
-      throw BadInput("the FMU takes the forces on bushings and spider; the key bushing_depth is needed beside it");
+      throw BadInput("the FMU takes the forces on bushings and spider; add the key bushing_depth");
     const Setting* limit = root.find("coupling.residual_limit");
     if (!fmu.variable_step && knowledge_of(fmu.links).accounts && limit != nullptr && limit->numbers.at(0) > 0)
       throw BadInput(
           "the FMU takes steps of one length only (canHandleVariableCommunicationStepSize is false), so that windows "
-          "cannot be halved; coupling.residual_limit: 0 is accepted");
+          "cannot be halved; set coupling.residual_limit: 0");
     tables.fmu = std::move(fmu);
   });
 }

@@ -18,8 +18,8 @@ constexpr std::string_view override_label = "--set";
 std::string read_text(const fs::path& file, CaseProblems& problems) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) return problems.add({}, "there is no such file; the path of a case file is accepted"), "";
-  if (fs::is_directory(status)) return problems.add({}, "is a directory; the path of a case file is accepted"), "";
+  if (!fs::exists(status)) return problems.add({}, "there is no such file; give the path of a case file"), "";
+  if (fs::is_directory(status)) return problems.add({}, "is a directory; give the path of a case file"), "";
   std::ifstream stream(file, std::ios::binary);
   std::string text;
   if (stream) {
@@ -27,8 +27,8 @@ std::string read_text(const fs::path& file, CaseProblems& problems) {
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(stream.gcount()));
   }
-  if (!stream.eof() && stream.fail()) return problems.add({}, "cannot be read; a readable file is accepted"), "";
-  if (text.size() == largest_file) return problems.add({}, "is larger than 16 MB; a case file is accepted"), "";
+  if (!stream.eof() && stream.fail()) return problems.add({}, "cannot be read; check its permissions"), "";
+  if (text.size() == largest_file) return problems.add({}, "is larger than 16 MB; give a case file"), "";
   return text;
 }
 
@@ -79,7 +79,7 @@ void apply_overrides(YamlNode& root, const std::vector<std::string>& overrides, 
     const std::vector<std::string_view> path = split(text.substr(0, equals), '.');
     const bool empty_part = std::find(path.begin(), path.end(), std::string_view{}) != path.end();
     if (equals == std::string_view::npos || path.empty() || empty_part || equals + 1 == text.size()) {
-      problems.add(begin, '"' + overrides[k] + "\" sets nothing; key.path=value is accepted");
+      problems.add(begin, '"' + overrides[k] + "\" sets nothing; write key.path=value");
       continue;
     }
     const YamlDocument value = parse_yaml(text.substr(equals + 1), {number, number, static_cast<int>(equals) + 2});

@@ -37,10 +37,11 @@ std::vector<ReadParticle> rows_of(const fs::path& file, const CsvTable& table, C
     const std::vector<double>& row = table.rows[k];
     const int line = table.lines[k];
     if (!is_whole(row[0], largest_id))
-      problems.add_in_file(file, line, 1, "the id is no whole number; 0 to 2147483647 is accepted");
-    if (!(row[4] > 0)) problems.add_in_file(file, line, 1, "the radius is not positive; more than 0 m is accepted");
+      problems.add_in_file(file, line, 1, "the id is out of range; it must be a whole number between 0 and 2147483647");
+    if (!(row[4] > 0)) problems.add_in_file(file, line, 1, "the radius is not positive; it must be > 0");
     if (rock >= 0 && !is_whole(row[static_cast<std::size_t>(rock)], largest_rock))
-      problems.add_in_file(file, line, 1, "the rock is no whole number; 0 to 2147483647 is accepted");
+      problems.add_in_file(file, line, 1,
+                           "the rock is out of range; it must be a whole number between 0 and 2147483647");
     StartParticle particle{0, {row[1], row[2], row[3]}, three_from("vx", row), three_from("wx", row), row[4], none};
     if (problems.empty()) {
       particle.id = static_cast<std::uint32_t>(row[0]);
@@ -71,20 +72,20 @@ void read_bonds(const fs::path& file, bool rocks_given, CaseTables& tables, Case
     const auto bad = [&](const std::string& message) { problems.add_in_file(file, table.lines[k], 1, message); };
     const Index i = row_of(tables.particles, row[0]), j = row_of(tables.particles, row[1]);
     if (i == none || j == none) {
-      bad("there is no particle " + number_text(i == none ? row[0] : row[1]) + "; an id of particles.file is accepted");
+      bad("there is no particle " + number_text(i == none ? row[0] : row[1]) + "; give an id of particles.file");
       continue;
     }
     const double length = row.size() > 2 ? row[2] : norm(at(i).position - at(j).position);
-    if (i == j) bad("a particle cannot be bonded to itself; two different ids are accepted");
-    if (i != j && !(length > 0)) bad("the bond has no length; more than 0 m is accepted");
-    if (rocks_given && at(i).rock != at(j).rock) bad("a bond cannot join two rocks; ids of one rock are accepted");
+    if (i == j) bad("a particle cannot be bonded to itself; give two different ids");
+    if (i != j && !(length > 0)) bad("the bond has no length; it must be > 0");
+    if (rocks_given && at(i).rock != at(j).rock) bad("a bond cannot join two rocks; give ids of one rock");
     read.push_back({{std::min(i, j), std::max(i, j), length}, table.lines[k]});
   }
   const auto ends = [](const auto& bond) { return std::pair(bond.first.i, bond.first.j); };
   std::stable_sort(read.begin(), read.end(), [&](const auto& a, const auto& b) { return ends(a) < ends(b); });
   for (std::size_t k = 0; k < read.size(); ++k) {
     if (k > 0 && ends(read[k]) == ends(read[k - 1]))
-      problems.add_in_file(file, read[k].second, 1, "the bond is given twice; each pair once is accepted");
+      problems.add_in_file(file, read[k].second, 1, "the bond is given twice; give each pair once");
     tables.bonds.push_back(read[k].first);
   }
 }
@@ -132,7 +133,7 @@ void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems
   for (std::size_t k = 0; k < read.size(); ++k) {
     if (k > 0 && read[k].particle.id == read[k - 1].particle.id)
       problems.add_in_file(file, read[k].line, 1,
-                           "id " + std::to_string(read[k].particle.id) + " is given twice; each once is accepted");
+                           "id " + std::to_string(read[k].particle.id) + " is given twice; give each id once");
     tables.particles.push_back(read[k].particle);
   }
   const bool rocks_given = table.column("rock") >= 0;

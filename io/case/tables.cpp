@@ -25,13 +25,13 @@ class TableChecker {
   void expect_rows(std::size_t minimum) {
     if (table_.rows.size() < minimum)
       problems_.add_in_file(file_, 1, 1,
-                            "the table has " + std::to_string(table_.rows.size()) + " rows; at least " +
-                                std::to_string(minimum) + " are accepted");
+                            "the table has " + std::to_string(table_.rows.size()) + " rows; it needs at least " +
+                                std::to_string(minimum));
   }
   void expect_rising(std::size_t column) {
     for (std::size_t k = 1; k < table_.rows.size(); ++k)
       expect(table_.rows[k][column] > table_.rows[k - 1][column], k,
-             table_.header[column] + " does not rise; each row larger than the one before is accepted");
+             table_.header[column] + " does not rise; each row must be larger than the one before");
   }
 
  private:
@@ -57,15 +57,14 @@ std::vector<LinerRow> read_liners(const fs::path& file, CaseProblems& problems) 
   std::vector<LinerRow> liners;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const LinerRow row{table.rows[k][0], table.rows[k][1], table.rows[k][2]};
-    checker.expect(row.mantle_radius > 0, k, "the mantle's radius is not positive; more than 0 m is accepted");
+    checker.expect(row.mantle_radius > 0, k, "the mantle's radius is not positive; it must be > 0");
     checker.expect(row.concave_radius > row.mantle_radius, k,
-                   "there is no gap; a concave radius larger than the mantle's is accepted");
+                   "there is no gap; the concave radius must be larger than the mantle radius");
     liners.push_back(row);
   }
   if (liners.size() >= 2 && (liners.front().z > 0 || liners.back().z <= 0))
-    problems.add_in_file(
-        file, table.lines[0], 1,
-        "the discharge plane z = 0 is not in the profile; heights from 0 m or below to above 0 m are accepted");
+    problems.add_in_file(file, table.lines[0], 1,
+                         "the discharge plane z = 0 is not in the profile; begin at z <= 0 and end at z > 0");
   return liners;
 }
 
@@ -79,11 +78,12 @@ std::vector<PassingPoint> read_sieves(const fs::path& file, CaseProblems& proble
   const std::size_t n = table.rows.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double size = table.rows[k][0], percent = table.rows[k][1];
-    checker.expect(size > 0, k, "the size is not positive; more than 0 mm is accepted");
-    checker.expect(k == 0 || percent >= table.rows[k - 1][1], k,
-                   "passing falls; each row at least the one before is accepted");
-    checker.expect(k > 0 || percent == 0, k, "the first sieve passes something; 0 percent is accepted");
-    checker.expect(k + 1 < n || percent == 100, k, "the last sieve does not pass all; 100 percent is accepted");
+    checker.expect(size > 0, k, "the size is not positive; it must be > 0");
+    checker.expect(k == 0 || percent >= table.rows[k - 1][1], k, "passing falls; each row must be >= the one before");
+    checker.expect(k > 0 || percent == 0, k,
+                   "the first sieve does not pass 0 percent; begin with a size that nothing passes");
+    checker.expect(k + 1 < n || percent == 100, k,
+                   "the last sieve does not pass 100 percent; end with a size that everything passes");
     points.push_back({size * 1e-3, percent * 1e-2});
   }
   return points;
@@ -101,12 +101,11 @@ CurveMotor read_motor(const fs::path& file, CaseProblems& problems) {
     motor.torques.push_back(row[1]);
   }
   if (const std::size_t n = table.rows.size(); n >= 2) {
-    checker.expect(motor.speeds[0] <= 0, 0,
-                   "the curve does not begin at standstill; a first speed of 0 rpm is accepted");
+    checker.expect(motor.speeds[0] <= 0, 0, "the curve does not begin at standstill; the first speed must be 0 rpm");
     checker.expect(motor.torques[n - 1] <= 0, n - 1,
-                   "the motor still drives at its last speed; a curve that ends at 0 Nm or below is accepted");
+                   "the motor still drives at its last speed; the last torque must be <= 0");
     checker.expect(motor.torques[n - 2] > 0, n - 2,
-                   "the motor does not drive here; a positive torque in every row but the last is accepted");
+                   "the motor does not drive here; the torque must be > 0 in every row but the last");
   }
   return motor;
 }
@@ -119,9 +118,8 @@ VoltageInput read_voltage(const fs::path& file, CaseProblems& problems) {
   checker.expect_rising(0);
   VoltageInput voltage;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
-    checker.expect(k > 0 || table.rows[k][0] == 0, k,
-                   "the table does not begin at t = 0; a first time of 0 s is accepted");
-    checker.expect(table.rows[k][1] >= 0, k, "the voltage is negative; a ratio of 0 or more is accepted");
+    checker.expect(k > 0 || table.rows[k][0] == 0, k, "the table does not begin at t = 0; the first time must be 0 s");
+    checker.expect(table.rows[k][1] >= 0, k, "the voltage is negative; the ratio must be >= 0");
     voltage.times.push_back(table.rows[k][0]);
     voltage.ratios.push_back(table.rows[k][1]);
   }
@@ -136,7 +134,7 @@ void check_probes(const Setting& root, const CaseTables& tables, CaseProblems& p
     const auto is_it = [id = probes->numbers[k]](const StartParticle& p) { return p.id == id; };
     if (std::none_of(tables.particles.begin(), tables.particles.end(), is_it))
       problems.add(probes->item_marks[k],
-                   "there is no particle " + number_text(probes->numbers[k]) + "; an id of particles.file is accepted");
+                   "there is no particle " + number_text(probes->numbers[k]) + "; give an id of particles.file");
   }
 }
 

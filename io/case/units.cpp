@@ -169,14 +169,14 @@ std::string in_quotes(std::string_view text) {
   return '"' + std::string(text) + '"';
 }
 
-/// "a plain number in m or a string with a unit (m, km, ...) is accepted"
-std::string accepted(Dimension dimension) {
-  if (dimension == number) return "a plain number or a percentage is accepted";
+/// "give a length in one of the units m, km, ..., or a plain number in m"
+std::string advice(Dimension dimension) {
+  if (dimension == number) return "give a plain number or a percentage";
   std::string list;
   for (const Unit& unit : units())
     if (unit.dimension == dimension) list += (list.empty() ? "" : ", ") + std::string(unit.name);
-  return std::string(name_of(dimension)) + " is accepted: a plain number in " + std::string(si_unit(dimension)) +
-         " or a number with one of the units " + list;
+  return "give " + std::string(name_of(dimension)) + " in one of the units " + list + ", or a plain number in " +
+         std::string(si_unit(dimension));
 }
 
 const Unit* find_unit(const std::string& name, Dimension dimension) {
@@ -190,9 +190,9 @@ const Unit* find_unit(const std::string& name, Dimension dimension) {
 }
 
 /// The number in front of a text, in the text's own unit; `rest` is what follows it.
-ParsedNumber leading_number(std::string_view text, std::string_view& rest, const std::string& what_is_accepted) {
+ParsedNumber leading_number(std::string_view text, std::string_view& rest, const std::string& what_to_do) {
   const std::size_t length = number_length(text);
-  if (length == 0) return {{}, in_quotes(text) + " is not a number; " + what_is_accepted};
+  if (length == 0) return {{}, in_quotes(text) + " is not a number; " + what_to_do};
   std::string_view digits = text.substr(0, length);
   rest = text.substr(length);
   if (has_leading_zero(digits))
@@ -201,7 +201,7 @@ ParsedNumber leading_number(std::string_view text, std::string_view& rest, const
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-    return {{}, in_quotes(text) + " does not fit a double; " + what_is_accepted};
+    return {{}, in_quotes(text) + " does not fit a double; " + what_to_do};
   return {value, {}};
 }
 
@@ -274,24 +274,24 @@ std::string_view si_unit(Dimension dimension) {
 ParsedNumber parse_quantity(std::string_view text, Dimension dimension) {
   text = trimmed(text);
   std::string_view rest;
-  const ParsedNumber parsed = leading_number(text, rest, accepted(dimension));
+  const ParsedNumber parsed = leading_number(text, rest, advice(dimension));
   if (!parsed.value) return parsed;
   const std::string name = canonical_unit(rest);
   if (name.empty()) return parsed;
   const Unit* unit = name == "1" ? nullptr : find_unit(name, dimension);
   if (unit == nullptr)
-    return {{}, in_quotes(text) + " has the unknown unit " + in_quotes(name) + "; " + accepted(dimension)};
+    return {{}, in_quotes(text) + " has the unknown unit " + in_quotes(name) + "; " + advice(dimension)};
   if (unit->dimension != dimension)
-    return {{}, in_quotes(text) + " is " + std::string(name_of(unit->dimension)) + "; " + accepted(dimension)};
+    return {{}, in_quotes(text) + " is " + std::string(name_of(unit->dimension)) + "; " + advice(dimension)};
   const double value = in_si(*parsed.value, unit->factor);
-  if (!std::isfinite(value)) return {{}, in_quotes(text) + " does not fit a double; " + accepted(dimension)};
+  if (!std::isfinite(value)) return {{}, in_quotes(text) + " does not fit a double; " + advice(dimension)};
   return {value, {}};
 }
 
 ParsedNumber parse_integer(std::string_view text) {
   text = trimmed(text);
   std::string_view rest;
-  const std::string wanted = "a whole number is accepted";
+  const std::string wanted = "give a whole number";
   const ParsedNumber parsed = leading_number(text, rest, wanted);
   if (!parsed.value) return parsed;
   if (!rest.empty() || *parsed.value != std::floor(*parsed.value))

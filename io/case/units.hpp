@@ -52,7 +52,7 @@ std::string_view si_unit(Dimension dimension);
 /// A parsed number, or why the text is none.
 struct ParsedNumber {
   std::optional<double> value;  ///< in SI
-  std::string problem;          ///< "problem; what is accepted" when there is no value
+  std::string problem;          ///< "problem; what to do" when there is no value
 };
 
 /// Reads `12`, `1e-3`, `120 mm`, `50 kg m2` as the given dimension. A plain number is in SI.

@@ -84,7 +84,7 @@ class TreeBuilder : public YAML::EventHandler {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
     if (frames_.size() >= deepest) {
-      problem(place(mark), "nested too deep; at most " + std::to_string(deepest) + " levels are accepted");
+      problem(place(mark), "nested too deep; use at most " + std::to_string(deepest) + " levels");
       throw TooDeep{};
     }
     frames_.push_back({node(kind, mark), false, false, {}, {}});
@@ -110,7 +110,7 @@ class TreeBuilder : public YAML::EventHandler {
     frame.has_key = true;
     frame.drop = true;
     if (key.kind != YamlNode::Kind::scalar)
-      return problem(key.mark, "a key must be a name; lists, maps and null are not accepted as keys");
+      return problem(key.mark, "a key must be a name; a list, a map or null cannot be a key");
     if (key.text == "<<") return problem(key.mark, "merge keys (<<) are not read; write the keys out");
     if (const YamlEntry* before = frame.node.find(key.text))
       return problem(key.mark, "key \"" + key.text + "\" is given twice (first at " +
@@ -167,7 +167,7 @@ bool is_utf8(std::string_view text, Mark& mark) {
 void parse_into(std::string_view text, TreeBuilder& builder, Mark first) {
   std::istringstream stream{std::string(text)};
   YAML::Parser parser(stream);
-  if (!parser.HandleNextDocument(builder)) return builder.problem(first, "no YAML document; a map of keys is accepted");
+  if (!parser.HandleNextDocument(builder)) return builder.problem(first, "no YAML document; write a map of keys");
   YamlDocument second;
   TreeBuilder ignored(first, second);
   if (parser.HandleNextDocument(ignored))
@@ -198,7 +198,7 @@ YamlDocument parse_yaml(std::string_view text, Mark first) {
   try {
     parse_into(text, builder, first);
   } catch (const YAML::Exception& error) {
-    builder.problem(builder.place(error.mark), "not valid YAML: " + error.msg + "; `key: value` lines are accepted");
+    builder.problem(builder.place(error.mark), "not valid YAML: " + error.msg + "; write `key: value` lines");
   } catch (const TooDeep&) {
     // already among the problems
   }

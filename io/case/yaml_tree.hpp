@@ -14,7 +14,7 @@ struct Mark {
   int column = 1;
 };
 
-/// What is wrong at a place: "problem; what is accepted".
+/// What is wrong at a place: "problem; what to do".
 struct MarkedProblem {
   Mark mark = {};
   std::string message;

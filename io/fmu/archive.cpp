@@ -46,7 +46,7 @@ struct Archive::Handle {
   }
   [[noreturn]] void refuse(const std::string& problem) const {
     const bool complete = problem.find("; ") != std::string::npos;
-    throw BadInput(file.string() + ": " + problem + (complete ? "" : "; an intact FMU is accepted"));
+    throw BadInput(file.string() + ": " + problem + (complete ? "" : "; give an intact FMU"));
   }
 };
 
@@ -59,10 +59,10 @@ Archive::Archive(const fs::path& file) : handle_(std::make_unique<Handle>()) {
     zip_error_init_with_code(&error, code);
     const std::string reason = zip_error_strerror(&error);
     zip_error_fini(&error);
-    handle_->refuse("is no readable zip archive (" + reason + "); an FMU is accepted");
+    handle_->refuse("is not a readable zip archive (" + reason + "); give an FMU");
   }
   const zip_int64_t count = zip_get_num_entries(handle_->zip, 0);
-  if (count > max_entries) handle_->refuse("has too many entries; 100000 are accepted");
+  if (count > max_entries) handle_->refuse("has too many entries; at most 100000 are read");
   std::uint64_t bytes = 0;
   std::set<std::string> seen;
   for (zip_int64_t k = 0; k < count; ++k) {
@@ -71,7 +71,7 @@ Archive::Archive(const fs::path& file) : handle_(std::make_unique<Handle>()) {
     if (zip_stat_index(handle_->zip, entry, 0, &stat) != 0) handle_->refuse("is damaged");
     const std::string name = stat.name;
     if (const std::string danger = danger_of(name, is_link(handle_->zip, entry)); !danger.empty())
-      handle_->refuse("entry \"" + name + "\" " + danger + "; plain files below the archive's folder are accepted");
+      handle_->refuse("entry \"" + name + "\" " + danger + "; plain files below the archive's folder are needed");
     if (!seen.insert(fs::path(name).lexically_normal().string()).second)
       handle_->refuse("entry \"" + name + "\" is there twice");
     if (stat.encryption_method != ZIP_EM_NONE) handle_->refuse("entry \"" + name + "\" is encrypted");

@@ -65,12 +65,12 @@ void take_unit(FmuLink& link, const FmuVariable& variable, const FmuQuantityInfo
   if (!variable.unit_known) {
     if (std::ranges::find(plain_si, variable.unit) == std::end(plain_si))
       throw BadInput("the FMU's variable \"" + variable.name + "\" has the unit \"" + variable.unit +
-                     "\", which its description does not define; a unit with a BaseUnit is accepted");
+                     "\", which its description does not define; use a unit with a BaseUnit");
     return;
   }
   if (variable.si.exponents != info.exponents || !(variable.si.factor != 0) || !std::isfinite(variable.si.factor))
     throw BadInput("the FMU's variable \"" + variable.name + "\" is in \"" + variable.unit +
-                   "\", which is no unit of " + std::string(info.name) + "; a variable with such a unit is accepted");
+                   "\", which is not a unit of " + std::string(info.name) + "; map a variable with such a unit");
   link.factor = variable.si.factor;
   link.offset = variable.si.offset;
 }
@@ -89,15 +89,15 @@ FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string
   const std::string_view type = real ? "Real" : "Boolean";
   const std::vector<std::string_view> names = names_of(model, input ? "input" : "output", type);
   const std::string kind = std::string(real ? "real " : "boolean ") + (input ? "input" : "output"),
-                    accepted = kind + "s of the FMU are " + list_of(names);
+                    choices = kind + "s of the FMU are " + list_of(names);
   const FmuVariable* variable = model.find(wanted);
   if (variable == nullptr)
     throw BadInput("the FMU has no variable \"" + wanted + "\" for " + std::string(info.name) + "; " +
-                   hint(wanted, names) + accepted);
+                   hint(wanted, names) + choices);
   const bool readable = variable->causality == "output" || variable->causality == "local";
   if (variable->type != type || !(input ? variable->causality == "input" : readable))
-    throw BadInput("the FMU's variable \"" + wanted + "\" is no " + kind + " (" + variable->type + ", " +
-                   variable->causality + "); " + accepted);
+    throw BadInput("the FMU's variable \"" + wanted + "\" is not a " + kind + " (" + variable->type + ", " +
+                   variable->causality + "); " + choices);
   FmuLink link{variable->reference};
   if (!real) return link;
   take_unit(link, *variable, info);
@@ -141,7 +141,7 @@ FmuStart start_of(const ModelDescription& model, const std::string& name, double
   const bool truth = variable->type == "Boolean";
   if (variable->type == "String" || (truth ? value != 0 && value != 1 : value != std::round(value)))
     throw BadInput("the FMU's parameter \"" + name + "\" is of type " + variable->type + "; " +
-                   (truth ? "true or false" : "a whole number for an Integer or Enumeration") + " is accepted");
+                   (truth ? "give true or false" : "give a whole number for an Integer or Enumeration"));
   return {variable->reference, truth ? VariableType::boolean : VariableType::integer, value};
 }
 

@@ -21,7 +21,8 @@ std::string text_of(pugi::xml_node node, const char* attribute) {
 std::string needed(pugi::xml_node node, const char* attribute) {
   const std::string text = text_of(node, attribute);
   if (text.empty())
-    refuse("has a " + std::string(node.name()) + " without " + attribute + "; FMI 2.0 for co-simulation is accepted");
+    refuse("has a " + std::string(node.name()) + " without " + attribute +
+           "; an FMI 2.0 FMU for co-simulation is needed");
   return text;
 }
 
@@ -63,7 +64,8 @@ void read_variables(pugi::xml_node root, ModelDescription& out) {
       const auto declared = type_units.find(text_of(typed, "declaredType"));
       if (v.unit.empty() && declared != type_units.end()) v.unit = declared->second;
     }
-    if (v.type.empty()) refuse("has a variable " + v.name + " without a type; FMI 2.0 for co-simulation is accepted");
+    if (v.type.empty())
+      refuse("has a variable " + v.name + " without a type; an FMI 2.0 FMU for co-simulation is needed");
     const auto unit = units.find(v.unit);
     v.unit_known = unit != units.end();
     if (v.unit_known) v.si = unit->second;
@@ -82,14 +84,14 @@ ModelDescription read_model_description(const std::string& xml) {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
   if (!parsed)
-    refuse("is no XML: " + std::string(parsed.description()) + " at byte " + std::to_string(parsed.offset) +
-           "; FMI 2.0 for co-simulation is accepted");
+    refuse("is not XML: " + std::string(parsed.description()) + " at byte " + std::to_string(parsed.offset) +
+           "; an FMI 2.0 FMU for co-simulation is needed");
   const pugi::xml_node root = document.child("fmiModelDescription");
-  if (!root) refuse("has no fmiModelDescription; FMI 2.0 for co-simulation is accepted");
+  if (!root) refuse("has no fmiModelDescription; an FMI 2.0 FMU for co-simulation is needed");
   const std::string version = text_of(root, "fmiVersion");
-  if (version != "2.0") refuse("is of FMI " + (version.empty() ? "without version" : version) + "; 2.0 is accepted");
+  if (version != "2.0") refuse("is of FMI " + (version.empty() ? "without version" : version) + "; FMI 2.0 is needed");
   const pugi::xml_node slave = root.child("CoSimulation");
-  if (!slave) refuse("has no CoSimulation (model exchange only); co-simulation is accepted");
+  if (!slave) refuse("has no CoSimulation (model exchange only); an FMU for co-simulation is needed");
 
   ModelDescription out;
   out.needs_tool = slave.attribute("needsExecutionTool").as_bool();
@@ -98,7 +100,7 @@ ModelDescription read_model_description(const std::string& xml) {
   out.generation_tool = text_of(root, "generationTool");
   out.identifier = needed(slave, "modelIdentifier");
   if (out.identifier.find('/') != std::string::npos)
-    refuse("has a modelIdentifier with a slash; the name of its library is accepted");
+    refuse("has a modelIdentifier with a slash; it must be the name of its library");
   out.variable_step = slave.attribute("canHandleVariableCommunicationStepSize").as_bool();
   out.state = slave.attribute("canGetAndSetFMUstate").as_bool();
   out.serialisation = out.state && slave.attribute("canSerializeFMUstate").as_bool();

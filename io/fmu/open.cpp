@@ -41,7 +41,7 @@ ModelDescription read_fmu(const std::filesystem::path& file) {
     std::string list;
     for (const std::string& name : platforms) list += (list.empty() ? "" : ", ") + name;
     throw BadInput("has no " + library_in_archive(model.identifier) + " but binaries for " +
-                   (list.empty() ? "no platform" : list) + "; an FMU with binaries for linux64 is accepted");
+                   (list.empty() ? "no platform" : list) + "; an FMU with binaries for linux64 is needed");
   } catch (const BadInput& problem) {
     const std::string text = problem.what(), begin = file.string() + ": ";
     throw BadInput(text.starts_with(begin) ? text : begin + text);
@@ -65,8 +65,7 @@ std::unique_ptr<Drive> open_drive(const DriveFmu& fmu) {
                                                .starts = fmu.starts,
                                                .files = folder});
   } catch (const BadInput& problem) {
-    throw BadInput(fmu.file.string() + ": " + problem.what() +
-                   "; an FMI 2.0 co-simulation FMU that starts is accepted");
+    throw BadInput(fmu.file.string() + ": " + problem.what() + "; give an FMI 2.0 co-simulation FMU that starts");
   }
 }
 

@@ -10,7 +10,7 @@
 namespace gyro::hdf5 {
 namespace {
 
-/// Newest format (appending needs it); file systems that know no locks are accepted.
+/// Newest format, which appending needs; file systems without locks are allowed.
 Handle access_properties(const std::string& path) {
   Handle list = own(H5Pcreate(H5P_FILE_ACCESS), path, "prepare");
   check(H5Pset_libver_bounds(list.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), path, "prepare");

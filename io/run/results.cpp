@@ -96,8 +96,8 @@ std::vector<std::pair<std::string, std::vector<Channel>>> tables_of(const Result
 /// @throws BadInput unless a file has the tables of a content, with the rows to keep
 void require_rows(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep) {
   const auto refuse = [&](const std::string& why) {
-    return BadInput(path.string() + ": " + why + "; the results that belong to the checkpoint are accepted, " +
-                    "--overwrite starts the run again");
+    return BadInput(path.string() + ": " + why + "; restore the file that belongs to the checkpoint, or use " +
+                    "--overwrite to start the run again");
   };
   if (!std::filesystem::exists(path)) throw refuse("is missing");
   const hdf5::File file = hdf5::File::open(path);

@@ -9,7 +9,7 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
-#include <regex>
+#include <string_view>
 #include <vector>
 
 namespace gyro {
@@ -37,6 +37,18 @@ void remove_file(const fs::path& path) {
   if (error) fail(path, "remove", error);
 }
 
+/// Whether a snapshot has a name that a run gives: (particles|bonds|walls)_NNNNNN.vtp, perhaps with .tmp behind it.
+bool is_frame(std::string_view name) {
+  if (name.ends_with(".tmp")) name.remove_suffix(4);
+  if (!name.ends_with(".vtp")) return false;
+  name.remove_suffix(4);
+  const std::size_t bar = std::min(name.find('_'), name.size());
+  const std::string_view kind = name.substr(0, bar), number = name.substr(std::min(bar + 1, name.size()));
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return (kind == "particles" || kind == "bonds" || kind == "walls") && number.size() >= 6 &&
+         std::all_of(number.begin(), number.end(), is_digit);
+}
+
 void remove_run(const fs::path& directory) {
   for (const char* name : own_files) {
     remove_file(directory / name);
@@ -44,10 +56,9 @@ void remove_run(const fs::path& directory) {
   }
   const fs::path snapshots = directory / "snapshots";
   if (!fs::is_directory(snapshots)) return;
-  const std::regex frame("(particles|bonds|walls)_[0-9]{6,}\\.vtp(\\.tmp)?");
   std::vector<fs::path> frames;
   for (const auto& entry : fs::directory_iterator(snapshots))
-    if (std::regex_match(entry.path().filename().string(), frame)) frames.push_back(entry.path());
+    if (is_frame(entry.path().filename().string())) frames.push_back(entry.path());
   for (const fs::path& path : frames) remove_file(path);
   std::error_code not_empty;
   fs::remove(snapshots, not_empty);  // stays when there is something of the user's in it
@@ -95,17 +106,17 @@ RunDirectory next_in_runs(const std::string& case_name) {
 /// What there is at a path, without a change to it.
 RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
   if (fs::exists(path) && !fs::is_directory(path))
-    throw BadInput("--out " + path.string() + " is a file; a directory, which may be new, is accepted");
+    throw BadInput("--out " + path.string() + " is a file; give a directory, which may be new");
   const bool has_run = has_any(path, marks);
   const EarlierRun earlier = read_summary(path).value_or(EarlierRun{"unfinished", 0});
   if (!has_run && has_any(path, own_files))
     throw BadInput("--out " + path.string() +
-                   " holds files named as a run names its own, but no run; another directory is accepted");
+                   " holds files with names that a run uses, but no run; give another directory");
   if (!has_run || overwrite) return {path, RunDirectory::State::fresh, 0};
   if (earlier.status == "done") return {path, RunDirectory::State::finished, earlier.simulated_seconds};
   if (!resume)
     throw BadInput("--out " + path.string() + " holds a run that is not finished (" + earlier.status +
-                   "); --resume goes on, --overwrite starts again, another directory is accepted");
+                   "); use --resume to continue, --overwrite to start again, or another directory");
   return {path, RunDirectory::State::half_done, earlier.simulated_seconds};
 }
 
@@ -121,10 +132,10 @@ RunDirectory open_named(const fs::path& path, bool resume, bool overwrite) {
 
 void check_request(const RunDirectoryRequest& request) {
   if (request.resume && request.overwrite)
-    throw BadInput("--resume and --overwrite contradict each other; one of them is accepted");
+    throw BadInput("--resume and --overwrite contradict each other; give only one of them");
   if (!request.out && (request.resume || request.overwrite))
     throw BadInput(std::string(request.resume ? "--resume" : "--overwrite") +
-                   " does not say which run; it is accepted together with --out DIR");
+                   " needs a run; give its directory with --out DIR");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct RunDirectory {
   enum class State {
     fresh,      ///< holds no run: start at the beginning
     half_done,  ///< holds a run that --resume continues
-    finished    ///< holds a run with status `done`: leave it alone, or go on if --resume asks for a later end
+    finished    ///< holds a run with status `done`: leave it alone, or continue if --resume asks for a later end
   };
   std::filesystem::path path;
   State state = State::fresh;

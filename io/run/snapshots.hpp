@@ -36,7 +36,7 @@ struct SnapshotFrame {
 class SnapshotWriter {
  public:
   /// @param directory the run's directory
-  /// @param earlier times of frames that a resumed run keeps; later ones are removed, numbering goes on after them
+  /// @param earlier times of frames that a resumed run keeps; later ones are removed, numbering continues after them
   explicit SnapshotWriter(std::filesystem::path directory, std::vector<double> earlier = {});
   void write(const SnapshotFrame& frame);
   const std::vector<double>& times() const { return times_; }

@@ -87,7 +87,7 @@ void write_state(const fs::path& path, const SavedState& state) {
 }
 
 SavedState read_state(const fs::path& path) {
-  if (!fs::exists(path)) refuse(path, "there is no such checkpoint; the directory of a run that wrote one is accepted");
+  if (!fs::exists(path)) refuse(path, "there is no such checkpoint; give the directory of a run that wrote one");
   std::uint64_t format = 0;
   try {
     const hdf5::File file = hdf5::File::open_closed(path);
@@ -99,11 +99,12 @@ SavedState read_state(const fs::path& path) {
     }
   } catch (const std::exception& problem) {
     refuse(path, std::string("is damaged or no checkpoint (") + problem.what() +
-                     "); a checkpoint as gyrosim wrote it is accepted, --overwrite starts the run again");
+                     "); restore the file, or use --overwrite to start the run again");
   }
-  refuse(path,
-         "has format " + std::to_string(format) + "; format " + std::to_string(state_format) +
-             " is accepted: the version of gyrosim that wrote it goes on with it, --overwrite starts the run again");
+  refuse(
+      path,
+      "has format " + std::to_string(format) + "; format " + std::to_string(state_format) +
+          " is needed: continue with the version of gyrosim that wrote it, or use --overwrite to start the run again");
 }
 
 }  // namespace gyro

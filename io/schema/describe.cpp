@@ -6,73 +6,76 @@
 namespace gyro {
 namespace {
 
-/// `quantity [m], more than 0 m; default 0.5 ms`
-std::string properties_of(const Key& key) {
-  std::string text;
+/// What the value of a key looks like: `one of mixed or double`, `list of three quantities`.
+std::string kind_of(const Key& key) {
+  const std::string words = choice(split(key.words, '|'));
   switch (key.type) {
     case KeyType::section:
-      text = key.words.empty() ? "section" : "one of " + choice(split(key.words, '|')) + ", or a section";
-      break;
+      return words.empty() ? "section" : "one of " + words + ", or a section";
     case KeyType::named:
-      text = "section of names";
-      break;
+      return "section of names";
     case KeyType::quantity:
-      text = "quantity";
-      break;
+      return "quantity";
     case KeyType::integer:
-      text = "whole number";
-      break;
+      return "whole number";
     case KeyType::text:
-      text = "text";
-      break;
+      return "text";
     case KeyType::word:
-      text = "one of " + choice(split(key.words, '|'));
-      break;
+      return "one of " + words;
     case KeyType::file:
-      text = "path of a file";
-      break;
+      return "path of a file";
     case KeyType::vector:
-      text = "list of three quantities";
-      break;
+      return "list of three quantities";
     case KeyType::interval:
-      text = "list of two quantities, the second larger";
-      break;
+      return "list of two quantities, the second larger";
     case KeyType::integers:
-      text = "list of whole numbers";
-      break;
+      return "list of whole numbers";
     case KeyType::words:
-      text = "list of " + choice(split(key.words, '|'));
-      break;
+      return "list of " + words;
     case KeyType::files:
-      text = "list of paths";
-      break;
+      return "list of paths";
     case KeyType::passing:
-      text = "list of pairs";
-      break;
+      return "list of pairs";
     case KeyType::values:
-      text = "map of names to numbers or truth values";
-      break;
+      return "map of names to numbers or truth values";
   }
+  return {};
+}
+
+/// Unit, words beside the number, and range: ` [s] or auto, > 0`.
+std::string limits_of(const Key& key) {
   const bool measured = key.type == KeyType::quantity || key.type == KeyType::vector || key.type == KeyType::interval ||
                         key.type == KeyType::passing;
-  if (measured) text += " [" + std::string(si_unit(key.dimension)) + "]";
+  std::string text = measured ? " [" + std::string(si_unit(key.dimension)) + "]" : "";
   if (key.type == KeyType::quantity && !key.words.empty()) text += " or " + choice(split(key.words, '|'));
   if (const std::string range = range_text(key.range, key.dimension); !range.empty()) text += ", " + range;
-  if (!key.one_of.empty()) {
-    std::string groups;
-    for (const std::string_view group : split(key.one_of, '|'))
-      groups += (groups.empty() ? "" : " | ") + std::string(group);
-    text += " with exactly one of " + groups;
-  }
-  const bool beside = !key.when.empty() && key.when.find('=') == std::string_view::npos;
-  std::string condition;
-  if (beside)
-    condition = key.when.starts_with('!') ? ", without " + std::string(key.when.substr(1))
+  return text;
+}
+
+/// Groups of keys of which a section holds one: ` with exactly one of relative | absolute`.
+std::string alternatives_of(const Key& key) {
+  std::string groups;
+  for (const std::string_view group : split(key.one_of, '|'))
+    groups += (groups.empty() ? " with exactly one of " : " | ") + std::string(group);
+  return groups;
+}
+
+/// Default, or whether the key is required, and the neighbour that it depends on: `; default 0.5 ms, without fmu`.
+std::string presence_of(const Key& key) {
+  const bool needs_word = key.when.find('=') != std::string_view::npos;
+  std::string neighbour;
+  if (!key.when.empty() && !needs_word)
+    neighbour = key.when.starts_with('!') ? ", without " + std::string(key.when.substr(1))
                                           : ", beside " + std::string(key.when);
-  if (!key.fallback.empty()) return text + "; default " + std::string(key.fallback) + condition;
-  if (!key.when.empty() && !beside) return text + "; required with " + std::string(key.when);
-  if (key.required) return text + "; required" + condition;
-  return text + (key.defaulted ? "; all its keys have defaults" : "; optional") + condition;
+  if (!key.fallback.empty()) return "; default " + std::string(key.fallback) + neighbour;
+  if (needs_word) return "; required with " + std::string(key.when);
+  if (key.required) return "; required" + neighbour;
+  return (key.defaulted ? "; all its keys have defaults" : "; optional") + neighbour;
+}
+
+/// `quantity [m], > 0 m; default 0.5 ms`
+std::string properties_of(const Key& key) {
+  return kind_of(key) + limits_of(key) + alternatives_of(key) + presence_of(key);
 }
 
 std::string entry_of(const Key& key) {
@@ -87,6 +90,7 @@ std::string units_of(Dimension dimension) {
   return list;
 }
 
+/// Says that a key does not exist, and which one was probably meant.
 [[noreturn]] void refuse(const std::string& key) {
   std::vector<std::string_view> paths;
   for (const Key& known : schema_keys()) paths.push_back(known.path);
@@ -96,14 +100,14 @@ std::string units_of(Dimension dimension) {
     if (meant.empty() && known.name() == last) meant = known.path;
   throw BadInput("there is no key " + in_quotes(key) + " in a case; " +
                  (meant.empty() ? "" : "did you mean " + in_quotes(meant) + "? ") +
-                 "a path as time.duration is accepted, `gyrosim describe` lists them all");
+                 "`gyrosim describe` lists all keys");
 }
 
 }  // namespace
 
 std::string describe(const std::string& key) {
   const std::string head =
-      "A quantity is a plain number in the unit in brackets, or a text with a unit, as 120 mm.\n"
+      "A quantity is a plain number in the unit in brackets, or a text with a unit, such as 120 mm.\n"
       "Paths of files are relative to the case file; <name> and <pair> stand for names of your own.\n\n";
   if (key.empty()) {
     std::string text = head;
@@ -112,7 +116,7 @@ std::string describe(const std::string& key) {
   }
   const Key* found = match_key(key);
   std::string text = found == nullptr ? "" : entry_of(*found);
-  // `materials.rock` is no key of the table, but its keys are.
+  // `materials.rock` is not a key of the table, but it has keys that are.
   const std::string probe = key + ".";
   for (const Key& known : schema_keys()) {
     const std::vector<std::string_view> pattern = split(known.path, '.'), parts = split(key, '.');

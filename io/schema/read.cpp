@@ -11,8 +11,8 @@ using Kind = YamlNode::Kind;
 
 bool is_name(std::string_view text) {
   const auto begins = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
-  const auto goes_on = [&](unsigned char c) { return begins(c) || std::isdigit(c) || c == '-'; };
-  return !text.empty() && begins(text[0]) && std::all_of(text.begin(), text.end(), goes_on);
+  const auto continues = [&](unsigned char c) { return begins(c) || std::isdigit(c) || c == '-'; };
+  return !text.empty() && begins(text[0]) && std::all_of(text.begin(), text.end(), continues);
 }
 
 bool is_pair(std::string_view text) {
@@ -54,7 +54,7 @@ class Reader {
         message += in_quotes(entry.key) + " belongs to " +
                    (elsewhere->parent().empty() ? "the top of the file" : std::string(elsewhere->parent())) + "; ";
       }
-      problem(entry.mark, message + "accepted here: " + choice(names));
+      problem(entry.mark, message + "valid keys: " + choice(names));
     }
   }
 
@@ -79,8 +79,8 @@ class Reader {
       section.children.push_back(default_of(key, section.mark));
     } else if (required && section.lacks(key.name())) {
       problem(section.mark, "required key " + in_quotes(key.name()) + " is missing" +
-                                (shown.empty() ? "" : " in " + shown) + "; " + form_of(key) +
-                                " is accepted: " + std::string(key.doc));
+                                (shown.empty() ? "" : " in " + shown) + "; give " + form_of(key) + ": " +
+                                std::string(key.doc));
     }
   }
 
@@ -96,7 +96,7 @@ class Reader {
     required = std::find(words.begin(), words.end(), said->texts.at(0)) != words.end();
     if (!required && !absent(entry))
       problem(entry->mark, path + " does not belong to " + std::string(neighbour) + ": " + said->texts[0] +
-                               "; it goes with " + std::string(neighbour) + ": " + choice(words));
+                               "; it belongs to " + std::string(neighbour) + ": " + choice(words));
     return required;
   }
 
@@ -106,8 +106,8 @@ class Reader {
     const std::string neighbour(key.when.substr(wanted ? 0 : 1));
     if (absent(map.find(neighbour)) != wanted) return true;
     if (const YamlEntry* entry = map.find(key.name()); !absent(entry))
-      problem(entry->mark, path + (wanted ? " goes with " + neighbour + " only; it is accepted beside that key"
-                                          : " does not go with " + neighbour + "; one of the two is accepted"));
+      problem(entry->mark, path + (wanted ? " needs the key " + neighbour + "; add " + neighbour + " or remove it"
+                                          : " cannot be combined with " + neighbour + "; remove one of the two"));
     return false;
   }
 
@@ -126,7 +126,7 @@ class Reader {
   bool read_value(Setting& setting, const Key& key, const YamlEntry& entry, const std::string& path) {
     const YamlNode& node = entry.value;
     if (node.kind == Kind::null) {
-      problem(entry.mark, path + " is empty; " + form_of(key) + " is accepted");
+      problem(entry.mark, path + " is empty; " + "give " + form_of(key));
       return false;
     }
     if (key.type == KeyType::section) return read_map(setting, key, entry, path);
@@ -165,13 +165,13 @@ class Reader {
         missing = absentees;
       }
     }
-    const std::string accepted = "; exactly one of these is accepted: " + all;
+    const std::string advice = "; give exactly one of: " + all;
     if (begun.size() > 1)
-      problem(entry.mark, path + " says two things that exclude each other" + accepted);
+      problem(entry.mark, path + " gives alternatives that exclude each other" + advice);
     else if (begun.empty())
-      problem(entry.mark, path + " does not say which" + accepted);
+      problem(entry.mark, path + " gives none of its alternatives" + advice);
     else if (!missing.empty())
-      problem(entry.mark, path + " lacks the key " + missing + accepted);
+      problem(entry.mark, path + " lacks the key " + missing + advice);
     return begun.size() == 1 && missing.empty();
   }
 
@@ -184,16 +184,16 @@ class Reader {
     for (const YamlEntry& named : node.entries) {
       if (absent(&named)) continue;
       if (pairs ? !is_pair(named.key) : !is_name(named.key)) {
-        problem(named.mark, in_quotes(named.key) + " is no name in " + path + "; " +
-                                (pairs ? "two names with a slash, as rock/steel, are accepted"
-                                       : "letters, digits, - and _, a letter first, are accepted"));
+        problem(named.mark, in_quotes(named.key) + " is not a valid name in " + path + "; " +
+                                (pairs ? "use two names with a slash, such as rock/steel"
+                                       : "use letters, digits, - and _, with a letter or _ first"));
         setting.lost.push_back(named.key);
         continue;
       }
       const std::string shown = path + "." + named.key;
       if (named.value.kind != Kind::map) {
         problem(named.value.kind == Kind::null ? named.mark : named.value.mark,
-                shown + " is not a map; a map of the keys " + names_below(pattern) + " is accepted");
+                shown + " is not a map; give a map of the keys " + names_below(pattern));
         setting.lost.push_back(named.key);
         continue;
       }
@@ -231,7 +231,7 @@ class Reader {
 Setting read_settings(const YamlNode& root, std::vector<MarkedProblem>& problems) {
   Setting settings{.mark = root.mark, .given = true};
   if (root.kind != Kind::map) {
-    problems.push_back({root.mark, "the document is not a map; keys as `time: {duration: 2 s}` are accepted"});
+    problems.push_back({root.mark, "the document is not a map; write keys such as `time: {duration: 2 s}`"});
     return settings;
   }
   settings.mark = {0, 1, 1};

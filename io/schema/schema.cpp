@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace gyro {
 namespace {
@@ -85,10 +86,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 std::string range_text(const Range& range, Dimension dimension) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
   if (low && high && range.low == range.high) return "exactly " + limit_text(range.low, dimension);
+  if (low && high && !range.low_open && !range.high_open)
+    return "between " + limit_text(range.low, dimension) + " and " + limit_text(range.high, dimension);
   std::string text;
-  if (low) text = (range.low_open ? "more than " : "at least ") + limit_text(range.low, dimension);
+  if (low) text = (range.low_open ? "> " : ">= ") + limit_text(range.low, dimension);
   if (low && high) text += " and ";
-  if (high) text += (range.high_open ? "less than " : "at most ") + limit_text(range.high, dimension);
+  if (high) text += (range.high_open ? "< " : "<= ") + limit_text(range.high, dimension);
   return text;
 }
 
@@ -124,6 +127,11 @@ const Setting* Setting::find(std::string_view path) const {
     return dot == std::string_view::npos ? &child : child.find(path.substr(dot + 1));
   }
   return nullptr;
+}
+
+const Setting& Setting::needed(std::string_view path) const {
+  if (const Setting* found = find(path)) return *found;
+  throw std::logic_error("the setting " + name + " has no " + std::string(path));
 }
 
 bool Setting::lacks(std::string_view child) const {

@@ -10,7 +10,8 @@
 #include <vector>
 
 // One table of all keys of the case file. It drives reading, checking, defaults, the resolved case,
-// `gyrosim describe` and the JSON Schema; a new key is one line here and its use in case_build.cpp.
+// `gyrosim describe` and the JSON Schema; a new key is one line in keys.cpp,
+// a member of io/case/case.hpp and its use in io/case/build.cpp.
 
 namespace gyro {
 
@@ -50,7 +51,7 @@ struct Key {
   bool defaulted = false;          ///< a section that is always there, with its keys' defaults
   std::string_view fallback = {};  ///< default as YAML text; empty: none
   Range range = {};
-  std::string_view words = {};  ///< `a|b`: accepted words, for quantities and sections beside their own form
+  std::string_view words = {};  ///< `a|b`: words that may stand here; for quantities and sections beside their own form
   /// `model=droop|curve`: only where the neighbour key says so, and required there; `fmu`: only beside that key;
   /// `!fmu`: only without it.
   std::string_view when = {};
@@ -76,7 +77,7 @@ const Key* match_key(std::string_view path);
 /// Parts of `a|b` or `a.b`.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// "x" for a range's ends etc: "> 0", "0 to 1"; empty for no limits.
+/// "> 0", "between 0 and 1", "> 0 m and <= 2 m"; empty for no limits.
 std::string range_text(const Range& range, Dimension dimension);
 
 /// Shortest text that reads back to the same double, as every YAML reader takes it: 1.0e-3, not 1e-3.
@@ -102,8 +103,12 @@ struct Setting {
   const Setting* find(std::string_view path) const;
   /// Whether a key of this section is neither there nor lost: nobody wrote it.
   bool lacks(std::string_view child) const;
-  double number(std::string_view path) const { return find(path)->numbers.at(0); }
-  const std::string& text(std::string_view path) const { return find(path)->texts.at(0); }
+  /// First number or text of the setting at a path. @throws std::logic_error where there is none
+  double number(std::string_view path) const { return needed(path).numbers.at(0); }
+  const std::string& text(std::string_view path) const { return needed(path).texts.at(0); }
+
+ private:
+  const Setting& needed(std::string_view path) const;
 };
 
 /// Checks a document against the table and fills in defaults. Problems are added in the order of the

@@ -27,8 +27,7 @@ std::string choice(const std::vector<std::string_view>& words) {
 
 bool ValueReader::wrong_form(const Key& key, const YamlNode& node, const std::string& path) {
   static constexpr std::string_view names[] = {"nothing", "a single value", "a list", "a map of keys"};
-  problem(node.mark,
-          path + " is " + std::string(names[static_cast<int>(node.kind)]) + "; " + form_of(key) + " is accepted");
+  problem(node.mark, path + " is " + std::string(names[static_cast<int>(node.kind)]) + "; give " + form_of(key));
   return false;
 }
 
@@ -63,7 +62,7 @@ bool ValueReader::read(Setting& setting, const Key& key, const YamlNode& node, c
 bool ValueReader::read_text(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
   if (node.kind != Kind::scalar) return wrong_form(key, node, path);
   if (node.text.empty() || node.text.find('\0') != std::string::npos) {
-    problem(node.mark, path + " is empty; " + form_of(key) + " is accepted");
+    problem(node.mark, path + " is empty; " + "give " + form_of(key));
     return false;
   }
   setting.texts.push_back(node.text);
@@ -76,8 +75,7 @@ bool ValueReader::read_word(Setting& setting, const Key& key, const YamlNode& no
   if (std::find(words.begin(), words.end(), node.text) == words.end()) {
     const std::string_view meant = closest(node.text, words);
     problem(node.mark, path + " = " + in_quotes(node.text) + " is not known; " +
-                           (meant.empty() ? "" : "did you mean " + in_quotes(meant) + "? ") + form_of(key) +
-                           " is accepted");
+                           (meant.empty() ? "" : "did you mean " + in_quotes(meant) + "? ") + "use " + form_of(key));
     return false;
   }
   setting.texts.push_back(node.text);
@@ -96,7 +94,7 @@ bool ValueReader::read_number(Setting& setting, const Key& key, const YamlNode& 
   }
   if (!key.range.holds(*parsed.value)) {
     problem(node.mark,
-            path + " = " + node.text + " is out of range; " + range_text(key.range, key.dimension) + " is accepted");
+            path + " = " + node.text + " is out of range; it must be " + range_text(key.range, key.dimension));
     return false;
   }
   setting.numbers.push_back(*parsed.value);
@@ -115,14 +113,14 @@ bool ValueReader::read_numbers(Setting& setting, const Key& key, const YamlNode&
 
 bool ValueReader::wrong_count(const Key& key, const YamlNode& node, const std::string& path) {
   if (node.kind != Kind::list) return wrong_form(key, node, path);
-  problem(node.mark, path + " has " + std::to_string(node.items.size()) + " items; " + form_of(key) + " is accepted");
+  problem(node.mark, path + " has " + std::to_string(node.items.size()) + " items; give " + form_of(key));
   return false;
 }
 
 bool ValueReader::read_interval(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
   if (!read_numbers(setting, key, node, path, 2)) return false;
   if (setting.numbers[0] < setting.numbers[1]) return true;
-  problem(node.mark, path + " does not rise; a smaller and a larger value are accepted");
+  problem(node.mark, path + " does not rise; the second value must be larger than the first");
   return false;
 }
 
@@ -132,7 +130,7 @@ bool ValueReader::read_integers(Setting& setting, const Key& key, const YamlNode
   for (const YamlNode& item : node.items) {
     good &= read_number(setting, key, item, path);
     if (good && std::count(setting.numbers.begin(), setting.numbers.end(), setting.numbers.back()) > 1) {
-      problem(item.mark, path + " has " + item.text + " twice; each once is accepted");
+      problem(item.mark, path + " has " + item.text + " twice; give each value once");
       good = false;
     }
   }
@@ -145,7 +143,7 @@ bool ValueReader::read_texts(Setting& setting, const Key& key, const YamlNode& n
   for (const YamlNode& item : node.items) {
     if (item.kind == Kind::scalar &&
         std::find(setting.texts.begin(), setting.texts.end(), item.text) != setting.texts.end()) {
-      problem(item.mark, path + " has " + in_quotes(item.text) + " twice; each once is accepted");
+      problem(item.mark, path + " has " + in_quotes(item.text) + " twice; give each value once");
       good = false;
       continue;
     }
@@ -187,7 +185,7 @@ std::string form_of(const Key& key) {
       return key.words.empty() ? map : choice(split(key.words, '|')) + " or " + map;
     }
     case KeyType::named:
-      return key.path == "contacts" ? "a map of pairs, as rock/steel: {...}," : "a map of names";
+      return key.path == "contacts" ? "a map of pairs such as rock/steel: {...}" : "a map of names";
     case KeyType::quantity: {
       const std::string number = std::string(name_of(key.dimension));
       return key.words.empty() ? number : number + " or " + choice(split(key.words, '|'));

@@ -33,7 +33,7 @@ class ValueReader {
   std::vector<MarkedProblem>& problems_;
 };
 
-/// What a key accepts, as the beginning of "... is accepted".
+/// What the value of a key looks like, to follow "give" or "use": a whole number, a list of paths.
 std::string form_of(const Key& key);
 
 /// Names of the keys directly below a section: a, b or c

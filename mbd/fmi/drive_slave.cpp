@@ -73,13 +73,13 @@ void DriveSlave::add_event_outputs() {
   add(
       "events", VariableType::integer, [this] { return static_cast<double>(state_.events); },
       "stalls, trips and restarts so far");
-  for (std::size_t k = 0; k < SlaveState::told_events; ++k) {
-    const std::string place = std::to_string(k + 1) + ']';
+  for (std::size_t k = 0; k < SlaveState::kept_events; ++k) {
+    const std::string number = std::to_string(k + 1) + ']';
     add(
-        "event_time[" + place, VariableType::real, [this, k] { return state_.event_time[k]; },
+        "event_time[" + number, VariableType::real, [this, k] { return state_.event_time[k]; },
         "when it happened; [1] is the latest");
     add(
-        "event_kind[" + place, VariableType::integer, [this, k] { return state_.event_kind[k]; },
+        "event_kind[" + number, VariableType::integer, [this, k] { return state_.event_kind[k]; },
         "0 none, 1 stall, 2 turned back, 3 standstill, 4 overload trip, 5 instantaneous trip, 6 under-speed trip, "
         "7 restart, 8 reversed restart, 9 held");
   }
@@ -107,16 +107,16 @@ void DriveSlave::initialise(double time) {
 std::vector<DriveEvent> DriveSlave::step(double time, double duration) {
   SlaveState& s = state_;
   s.motion.time = time;
-  ShaftTurn turn = shaft_->turn(duration, s.load, s.motion);
+  ShaftAdvance gained = shaft_->advance(duration, s.load, s.motion);
   s.angle = shaft_->constant_speed() ? parameters_.start_angle + s.motion.speed * (time + duration - s.begin)
-                                     : s.angle + turn.angle;
-  s.spin_angle += turn.spun;
-  s.motor_angle += turn.motor_angle;
-  s.motor_impulse += turn.motor_impulse;
-  s.motor_work += turn.motor_work;
-  s.loss_work += turn.loss_work;
-  for (const DriveEvent& event : turn.events) keep(event);
-  return std::move(turn.events);
+                                     : s.angle + gained.angle;
+  s.spin_angle += gained.spin_angle;
+  s.motor_angle += gained.motor_angle;
+  s.motor_impulse += gained.motor_impulse;
+  s.motor_work += gained.motor_work;
+  s.loss_work += gained.loss_work;
+  for (const DriveEvent& event : gained.events) keep(event);
+  return std::move(gained.events);
 }
 
 std::vector<double> DriveSlave::parameter_values() const {

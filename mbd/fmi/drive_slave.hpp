@@ -9,7 +9,7 @@
 
 namespace gyro {
 
-/// All that changes while the drivetrain is stepped.
+/// The state that changes while the drivetrain is stepped.
 struct SlaveState {
   ShaftMotion motion{};
   ShaftLoad load{};                                                          ///< the inputs
@@ -18,8 +18,8 @@ struct SlaveState {
   double motor_angle = 0, motor_impulse = 0, motor_work = 0, loss_work = 0;  ///< since the start [rad], [N m s], [J]
   double begin = 0;                                                          ///< of the run [s]
   int stalls = 0, events = 0;
-  static constexpr std::size_t told_events = 8;
-  std::array<double, told_events> event_time{}, event_kind{};  ///< the last ones, the latest first [s]
+  static constexpr std::size_t kept_events = 8;
+  std::array<double, kept_events> event_time{}, event_kind{};  ///< the last ones, the latest first [s]
 };
 
 /// Calls f with each number of a state.
@@ -36,29 +36,29 @@ void for_each_number(State& s, F&& f) {
   for (auto& kind : s.event_kind) f(kind);
 }
 
-/// The drivetrain as a co-simulation slave: told a load, it goes on by a step. Without accounts of the exchange, which
-/// are the master's. The C functions of FMI are a thin cover of this class (fmi2_functions.cpp).
+/// The drivetrain as a co-simulation slave: it advances by a step under a given load. It keeps no accounts of the
+/// exchange, which are the master's. The C functions of FMI are a thin layer over this class (fmi2_functions.cpp).
 class DriveSlave {
  public:
   explicit DriveSlave(const DrivetrainParameters& parameters);
   DriveSlave(const DriveSlave&) = delete;  // its variables refer to it
   DriveSlave& operator=(const DriveSlave&) = delete;
 
-  /// Parameters, inputs and outputs. Inputs that no parameter of the start makes use of are left out: the spin's torque
-  /// without mantle inertia, the forces on the bearings without friction there.
+  /// Parameters, inputs and outputs. Inputs that the parameters at construction do not use are left out: the spin's
+  /// torque without mantle inertia, the forces on the bearings without friction there.
   const std::vector<DriveVariable>& variables() const { return variables_; }
 
-  /// Takes up changed parameters and goes to the start. @throws BadInput for a machine that cannot start as asked
+  /// Applies changed parameters and sets the start state. @throws BadInput for a machine that cannot start as asked
   void initialise(double time);
   /// @param time  where the step begins [s]
-  /// @return what happened, with the time of the run
+  /// @return its events, with times since the start of the run
   /// @throws StoppedByGuard when it cannot be integrated
   std::vector<DriveEvent> step(double time, double duration);
 
   const SlaveState& state() const { return state_; }
   /// Values of all parameters, in their order.
   std::vector<double> parameter_values() const;
-  /// Goes on from a state with these parameters.
+  /// Continues from a state with these parameters.
   void restore(const SlaveState& state, const std::vector<double>& parameter_values);
 
  private:

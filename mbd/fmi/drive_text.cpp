@@ -3,15 +3,14 @@
 #include "mbd/fmi/drive_variable.hpp"
 
 #include <charconv>
-#include <limits>
 #include <sstream>
+#include <type_traits>
 
 namespace gyro {
 namespace {
 
 constexpr const char* head = "gyrosim drivetrain 1";
-constexpr const char* motor_names[] = {"induction", "double_cage", "droop", "curve", "constant_speed"};
-constexpr double max_points = 1e6;  ///< of a curve: a wrong number shall not ask for all memory
+constexpr double max_points = 1e6;  // of a curve, so that a wrong number does not allocate all memory
 
 /// Shortest text that reads back to the same double.
 std::string all_digits(double value) {
@@ -32,7 +31,7 @@ class Lines {
   std::string text(const std::string& name) {
     std::string line;
     if (!std::getline(stream_, line) || !line.starts_with(name + " "))
-      throw BadInput("the drivetrain's parameters have `" + line + "`; a line `" + name + " ...` is accepted there");
+      throw BadInput("the drivetrain's parameters have `" + line + "`; a line `" + name + " ...` is expected");
     return line.substr(name.size() + 1);
   }
 
@@ -41,13 +40,14 @@ class Lines {
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size())
-      throw BadInput("the drivetrain's parameters have `" + name + " " + word + "`; a number is accepted there");
+      throw BadInput("the drivetrain's parameters have `" + name + " " + word + "`; a number is expected");
     return value;
   }
 
   std::size_t count(const std::string& name) {
     const double value = number(name);
-    if (!(value >= 0 && value <= max_points)) throw BadInput("the drivetrain's parameters have too many " + name);
+    if (!(value >= 0 && value <= max_points))
+      throw BadInput("the drivetrain's parameters have too many " + name + "; a count up to 1000000 is expected");
     return static_cast<std::size_t>(value);
   }
 
@@ -55,29 +55,24 @@ class Lines {
   std::istringstream stream_;
 };
 
-template <std::size_t... k>
-Motor motor_number(std::size_t number, std::index_sequence<k...>) {
-  Motor motor;
-  ((number == k ? void(motor.emplace<k>()) : void()), ...);
-  return motor;
-}
-
-Motor motor_named(const std::string& name) {
-  constexpr std::size_t count = std::variant_size_v<Motor>;
-  static_assert(count == std::size(motor_names));
-  for (std::size_t k = 0; k < count; ++k)
-    if (name == motor_names[k]) return motor_number(k, std::make_index_sequence<count>());
-  throw BadInput("the drivetrain's parameters have a motor `" + name + "`, which this program does not know");
+/// Calls f with each list among the parameters of a motor.
+template <class F>
+void for_each_list(Motor& motor, F&& f) {
+  for_each_parameter(
+      [&]<class T>(const char*, const char*, T& field, const char*) {
+        if constexpr (std::is_same_v<T, std::vector<double>>) f(field);
+      },
+      motor);
 }
 
 }  // namespace
 
 std::string drive_text(const DrivetrainParameters& parameters) {
   DrivetrainParameters p = parameters;
-  const auto* curve = std::get_if<CurveMotor>(&p.motor);
-  std::string text = std::string(head) + "\nmotor " + motor_names[p.motor.index()] + "\ncurve_points " +
-                     std::to_string(curve ? curve->speeds.size() : 0) + "\nvoltage_points " +
-                     std::to_string(p.voltage.times.size()) + "\n";
+  std::size_t curve_points = 0;
+  for_each_list(p.motor, [&](const std::vector<double>& list) { curve_points = list.size(); });
+  std::string text = std::string(head) + "\nmotor " + model_of(p.motor) + "\ncurve_points " +
+                     std::to_string(curve_points) + "\nvoltage_points " + std::to_string(p.voltage.times.size()) + "\n";
   for (const DriveVariable& variable : parameter_variables(p))
     text += variable.name + " " + all_digits(variable.get()) + "\n";
   return text;
@@ -86,12 +81,9 @@ std::string drive_text(const DrivetrainParameters& parameters) {
 DrivetrainParameters drive_from_text(const std::string& text) {
   Lines lines(text);
   DrivetrainParameters p;
-  p.motor = motor_named(lines.text("motor"));
+  p.motor = motor_of_model(lines.text("motor"));
   const std::size_t curve_points = lines.count("curve_points"), voltage_points = lines.count("voltage_points");
-  if (auto* curve = std::get_if<CurveMotor>(&p.motor)) {
-    curve->speeds.resize(curve_points);
-    curve->torques.resize(curve_points);
-  }
+  for_each_list(p.motor, [&](std::vector<double>& list) { list.resize(curve_points); });
   p.voltage.times.resize(voltage_points);
   p.voltage.ratios.resize(voltage_points);
   for (const DriveVariable& variable : parameter_variables(p)) variable.set(lines.number(variable.name));

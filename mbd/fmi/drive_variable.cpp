@@ -34,30 +34,17 @@ class Collector {
   std::vector<DriveVariable> found;
 };
 
-void add_name_plate(Collector& c, double& power, double& speed, double& slip, double& breakdown) {
-  c.add("motor.rated_power", "W", power, "mechanical power at rated slip");
-  c.add("motor.synchronous_speed", "rad/s", speed, "speed of zero torque");
-  c.add("motor.rated_slip", "", slip, "1 - rated speed / synchronous speed");
-  c.add("motor.breakdown_ratio", "", breakdown, "pull-out torque / rated torque");
-}
-
-void add_motor(Collector& c, InductionMotor& m) {
-  add_name_plate(c, m.rated_power, m.synchronous_speed, m.rated_slip, m.breakdown_ratio);
-}
-void add_motor(Collector& c, DoubleCageMotor& m) {
-  add_name_plate(c, m.rated_power, m.synchronous_speed, m.rated_slip, m.breakdown_ratio);
-  c.add("motor.starting_ratio", "", m.starting_ratio, "torque at standstill / rated torque");
-}
-void add_motor(Collector& c, DroopMotor& m) {
-  c.add("motor.synchronous_speed", "rad/s", m.synchronous_speed, "speed of zero torque");
-  c.add("motor.stall_torque", "N.m", m.stall_torque, "torque at standstill");
-}
-void add_motor(Collector& c, CurveMotor& m) {
-  c.add_list("motor.curve_speed", "rad/s", m.speeds, "speed of a point of the motor's curve");
-  c.add_list("motor.curve_torque", "N.m", m.torques, "torque of a point of the motor's curve");
-}
-void add_motor(Collector& c, ConstantSpeedMotor& m) {
-  c.add("motor.speed", "rad/s", m.speed, "speed of the motor");
+/// The parameters of any motor law, as `motor.NAME`; lists as `motor.NAME[1]`, ...
+void add_motor(Collector& c, Motor& motor) {
+  for_each_parameter(
+      [&]<class T>(const char* name, const char* unit, T& field, const char* description) {
+        const std::string path = std::string("motor.") + name;
+        if constexpr (std::is_same_v<T, std::vector<double>>)
+          c.add_list(path, unit, field, description);
+        else
+          c.add(path, unit, field, description);
+      },
+      motor);
 }
 
 void add_bearing(Collector& c, const std::string& name, Bearing& bearing, const std::string& what) {
@@ -94,7 +81,7 @@ DriveVariable start_variable(DrivetrainParameters& p) {
 
 std::vector<DriveVariable> parameter_variables(DrivetrainParameters& p) {
   Collector c;
-  std::visit([&](auto& motor) { add_motor(c, motor); }, p.motor);
+  add_motor(c, p.motor);
   c.add_list("voltage.time", "s", p.voltage.times, "time of a point of the supply");
   c.add_list("voltage.ratio", "", p.voltage.ratios, "supply / rated voltage at that time");
   c.add("gear_ratio", "", p.gear_ratio, "motor speed / eccentric speed");
@@ -116,10 +103,6 @@ std::vector<DriveVariable> parameter_variables(DrivetrainParameters& p) {
   c.add("coupling_spring.damping", "N.m.s/rad", p.spring.damping, "at the motor's shaft");
   add_protection(c, p.protection);
   return std::move(c.found);
-}
-
-void complete_motor(Motor& motor) {
-  if (auto* double_cage = std::get_if<DoubleCageMotor>(&motor)) *double_cage = solve_cages(*double_cage);
 }
 
 }  // namespace gyro

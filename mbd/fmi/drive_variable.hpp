@@ -24,14 +24,12 @@ struct DriveVariable {
   std::function<void(double)> set;  ///< empty for outputs
 };
 
-/// Everything that a drivetrain is told, as variables that read and write `parameters`, which must outlive them.
-/// The cages of a double cage motor are not among them: they follow from its name plate.
+/// All parameters of a drivetrain, as variables that read and write `parameters`, which must outlive them. What follows
+/// from the parameters of a motor is not among them: see complete_motor().
 std::vector<DriveVariable> parameter_variables(DrivetrainParameters& parameters);
 
-/// A double cage motor whose name plate has changed gets the cages that belong to it. @throws BadInput
-void complete_motor(Motor& motor);
-
-/// Parameters as text, for the resources of an FMU: what kind of motor, then `name value` a line, with all digits.
+/// Parameters as text, for the resources of an FMU: the model of the motor, then one `name value` per line, with all
+/// digits.
 std::string drive_text(const DrivetrainParameters& parameters);
 /// Reads it back, bit for bit. @throws BadInput with the line that is wrong
 DrivetrainParameters drive_from_text(const std::string& text);

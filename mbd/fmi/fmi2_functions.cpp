@@ -107,7 +107,7 @@ GYRO_FMI fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
 
 GYRO_FMI fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
   return guarded(component, bit(SlaveMode::initialising), "fmi2ExitInitializationMode", [](Fmi2Instance& instance) {
-    instance.take_up_changes();
+    instance.apply_changes();
     instance.mode = SlaveMode::stepping;
   });
 }
@@ -155,7 +155,7 @@ GYRO_FMI fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference[], s
 
 GYRO_FMI fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* state) {
   return guarded(component, any_mode, "fmi2GetFMUstate", [&](Fmi2Instance& instance) {
-    instance.take_up_changes();
+    instance.apply_changes();
     if (*state == nullptr) *state = new SavedSlave;
     *static_cast<SavedSlave*>(*state) = {instance.mode, instance.slave->state(), instance.slave->parameter_values()};
   });

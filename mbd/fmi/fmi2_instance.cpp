@@ -93,7 +93,7 @@ void Fmi2Instance::log(fmi2Status status, const std::string& message) const {
   callbacks.logger(callbacks.componentEnvironment, name.c_str(), status, category, "%s", message.c_str());
 }
 
-void Fmi2Instance::take_up_changes() {
+void Fmi2Instance::apply_changes() {
   if (changed) slave->initialise(start_time);
   changed = false;
 }
@@ -106,7 +106,7 @@ const DriveVariable& Fmi2Instance::variable(fmi2ValueReference reference, Variab
 
 double Fmi2Instance::get(fmi2ValueReference reference, VariableType type) {
   const DriveVariable& asked = variable(reference, type);
-  if (asked.causality == Causality::output) take_up_changes();
+  if (asked.causality == Causality::output) apply_changes();
   return asked.get();
 }
 

@@ -41,7 +41,7 @@ struct Fmi2Instance {
                const std::string& resources);
 
   void log(fmi2Status status, const std::string& message) const;
-  void take_up_changes();
+  void apply_changes();
   /// The variable behind a reference. @throws BadInput for one that is not there or of another type
   const DriveVariable& variable(fmi2ValueReference reference, VariableType type) const;
   double get(fmi2ValueReference reference, VariableType type);

@@ -13,7 +13,7 @@
 namespace gyro {
 namespace {
 
-constexpr std::size_t max_notes = 500;  ///< of one run: a slave may talk at every step
+constexpr std::size_t max_notes = 500;  ///< of one run: a slave may write one at every step
 
 const char* name_of(fmi2Status status) {
   constexpr const char* names[] = {"fmi2OK", "fmi2Warning", "fmi2Discard", "fmi2Error", "fmi2Fatal", "fmi2Pending"};
@@ -41,9 +41,9 @@ DriveKnowledge knowledge_of(const FmuLinks& links) {
   return k;
 }
 
-/// What the slave says through its logger.
+/// The messages of the slave's logger.
 struct FmuDrive::Messages {
-  bool muted = false;  ///< while it tries what it will do again
+  bool muted = false;  ///< during a preview, whose step will be repeated
   std::size_t count = 0;
   std::vector<std::string> notes;
   std::string last;
@@ -59,19 +59,19 @@ struct FmuDrive::Messages {
     if (!fine(status)) self.last = text;
     if (self.muted || ++self.count > max_notes) return;
     self.notes.emplace_back(text);
-    if (self.count == max_notes) self.notes.emplace_back("it goes on talking, but no more is kept");
+    if (self.count == max_notes) self.notes.emplace_back("it writes more messages, which are not kept");
   }
 };
 
 FmuDrive::FmuDrive(FmuSetup setup)
     : setup_(std::move(setup)), messages_(std::make_unique<Messages>()), library_(setup_.library) {
   if (setup_.state && !library_.has_state())
-    throw BadInput("says that its state can be saved, but has no function for it");
+    throw BadInput("declares that its state can be saved, but has no function for it");
   if (setup_.serialisation && !library_.has_serialisation())
-    throw BadInput("says that its state can be serialised, but has no function for it");
+    throw BadInput("declares that its state can be serialised, but has no function for it");
   if ((setup_.history && library_.get_integer == nullptr) ||
       (linked(FmuQuantity::tripped) && library_.get_boolean == nullptr))
-    throw BadInput("has whole numbers or truth values for the master, but no function that gives them");
+    throw BadInput("has Integer or Boolean outputs, but no function that gets them");
   callbacks_ = {&Messages::take, &std::calloc, &std::free, nullptr, messages_.get()};
   component_ = library_.instantiate(setup_.name.c_str(), fmi2CoSimulation, setup_.guid.c_str(),
                                     setup_.resources.c_str(), &callbacks_, fmi2False, fmi2False);
@@ -86,7 +86,7 @@ FmuDrive::FmuDrive(FmuSetup setup)
 }
 
 FmuDrive::~FmuDrive() {
-  if (fatal_) return;  // it must not be called any more
+  if (fatal_) return;  // after fmi2Fatal no function may be called
   messages_->muted = true;
   if (saved_ != nullptr) library_.free_state(component_, &saved_);
   if (initialised_) library_.terminate(component_);
@@ -101,7 +101,7 @@ void FmuDrive::initialise() {
   initialised_ = true;
   try {
     values_ = read();
-    if (setup_.history) events_told_ = static_cast<int>(get(setup_.history->events, VariableType::integer));
+    if (setup_.history) events_reported_ = static_cast<int>(get(setup_.history->events, VariableType::integer));
   } catch (const StoppedByGuard& failure) {
     throw BadInput(failure.what());
   }
@@ -173,7 +173,7 @@ void FmuDrive::step(double time, double duration, const ShaftLoad& load, bool fi
   check(library_.do_step(component_, time, duration, final ? fmi2True : fmi2False), "fmi2DoStep", time);
 }
 
-ShaftTurn FmuDrive::gains(const Values& before, const Values& after, double duration) const {
+ShaftAdvance FmuDrive::gains(const Values& before, const Values& after, double duration) const {
   const auto gain = [&](FmuQuantity sum) {
     return after[static_cast<std::size_t>(sum)] - before[static_cast<std::size_t>(sum)];
   };
@@ -182,28 +182,28 @@ ShaftTurn FmuDrive::gains(const Values& before, const Values& after, double dura
     const auto k = static_cast<std::size_t>(rate);
     return linked(sum) ? gain(sum) : duration * (before[k] + after[k]) / 2;
   };
-  ShaftTurn turn;
-  turn.angle = integral(FmuQuantity::eccentric_angle, FmuQuantity::eccentric_speed);
-  turn.spun = integral(FmuQuantity::mantle_spin_angle, FmuQuantity::mantle_spin);
-  turn.motor_angle = integral(FmuQuantity::motor_angle, FmuQuantity::motor_speed);
-  turn.motor_impulse = integral(FmuQuantity::motor_impulse, FmuQuantity::motor_torque);
-  turn.motor_work = integral(FmuQuantity::motor_work, FmuQuantity::motor_power);
+  ShaftAdvance gained;
+  gained.angle = integral(FmuQuantity::eccentric_angle, FmuQuantity::eccentric_speed);
+  gained.spin_angle = integral(FmuQuantity::mantle_spin_angle, FmuQuantity::mantle_spin);
+  gained.motor_angle = integral(FmuQuantity::motor_angle, FmuQuantity::motor_speed);
+  gained.motor_impulse = integral(FmuQuantity::motor_impulse, FmuQuantity::motor_torque);
+  gained.motor_work = integral(FmuQuantity::motor_work, FmuQuantity::motor_power);
   if (!linked(FmuQuantity::motor_work) && !linked(FmuQuantity::motor_power))
-    turn.motor_work = turn.motor_impulse * turn.motor_angle / duration;
-  turn.loss_work = gain(FmuQuantity::loss_work);
-  turn.kinetic_gain = gain(FmuQuantity::kinetic_energy);
-  turn.speed_change = gain(FmuQuantity::eccentric_speed);
-  return turn;
+    gained.motor_work = gained.motor_impulse * gained.motor_angle / duration;
+  gained.loss_work = gain(FmuQuantity::loss_work);
+  gained.kinetic_gain = gain(FmuQuantity::kinetic_energy);
+  gained.speed_change = gain(FmuQuantity::eccentric_speed);
+  return gained;
 }
 
-ShaftTurn FmuDrive::preview(double duration, const ShaftLoad& load, ShaftMotion& motion) {
+ShaftAdvance FmuDrive::preview(double duration, const ShaftLoad& load, ShaftMotion& motion) {
   if (!setup_.state) {
-    ShaftTurn turn;
-    turn.angle = duration * (motion.speed + last_acceleration_ * duration / 2);
-    turn.spun = duration * motion.spin;
-    if (motion.direction == 0) turn.angle = 0;
+    ShaftAdvance gained;
+    gained.angle = duration * (motion.speed + last_acceleration_ * duration / 2);
+    gained.spin_angle = duration * motion.spin;
+    if (motion.direction == 0) gained.angle = 0;
     motion.time += duration;
-    return turn;
+    return gained;
   }
   messages_->muted = true;
   check(library_.get_state(component_, &saved_), "fmi2GetFMUstate", motion.time);
@@ -218,41 +218,41 @@ ShaftTurn FmuDrive::preview(double duration, const ShaftLoad& load, ShaftMotion&
   return gains(values_, after, duration);
 }
 
-ShaftTurn FmuDrive::turn(double duration, const ShaftLoad& load, ShaftMotion& motion) {
+ShaftAdvance FmuDrive::advance(double duration, const ShaftLoad& load, ShaftMotion& motion) {
   step(motion.time, duration, load, true);
   const Values after = read();
-  ShaftTurn turn = gains(values_, after, duration);
+  ShaftAdvance gained = gains(values_, after, duration);
   const Values before = std::exchange(values_, after);
-  last_acceleration_ = turn.speed_change / duration;
+  last_acceleration_ = gained.speed_change / duration;
   motion.speed = now(FmuQuantity::eccentric_speed);
   motion.direction = sign(motion.speed);
   motion.spin = now(FmuQuantity::mantle_spin);
   motion.time += duration;
   if (before[static_cast<std::size_t>(FmuQuantity::eccentric_speed)] > 0 && motion.speed <= 0)
-    turn.stopped_after = duration;
+    gained.stopped_after = duration;
   if (setup_.history)
-    tell_history(turn.events);
+    report_history(gained.events);
   else
-    tell_changes(before, motion, turn.events);
-  return turn;
+    report_changes(before, motion, gained.events);
+  return gained;
 }
 
-void FmuDrive::tell_history(std::vector<DriveEvent>& events) {
+void FmuDrive::report_history(std::vector<DriveEvent>& events) {
   const FmuHistory& history = *setup_.history;
-  const int count = static_cast<int>(get(history.events, VariableType::integer)), fresh = count - events_told_;
-  events_told_ = count;
-  const int remembered = std::min(fresh, static_cast<int>(history.times.size()));
-  if (remembered < fresh)
-    messages_->notes.push_back(std::to_string(fresh) + " events in one step, of which it remembers the last " +
-                               std::to_string(remembered));
-  for (int k = remembered - 1; k >= 0; --k) {
-    const auto place = static_cast<std::size_t>(k);
-    const int kind = static_cast<int>(get(history.kinds[place], VariableType::integer));
-    events.push_back({get(history.times[place], VariableType::real), static_cast<DriveEventKind>(kind)});
+  const int count = static_cast<int>(get(history.events, VariableType::integer)), new_events = count - events_reported_;
+  events_reported_ = count;
+  const int kept = std::min(new_events, static_cast<int>(history.times.size()));
+  if (kept < new_events)
+    messages_->notes.push_back(std::to_string(new_events) + " events in one step, of which it keeps the last " +
+                               std::to_string(kept));
+  for (int k = kept - 1; k >= 0; --k) {
+    const auto row = static_cast<std::size_t>(k);
+    const int kind = static_cast<int>(get(history.kinds[row], VariableType::integer));
+    events.push_back({get(history.times[row], VariableType::real), static_cast<DriveEventKind>(kind)});
   }
 }
 
-void FmuDrive::tell_changes(const Values& before, const ShaftMotion& motion, std::vector<DriveEvent>& events) const {
+void FmuDrive::report_changes(const Values& before, const ShaftMotion& motion, std::vector<DriveEvent>& events) const {
   const bool off = now(FmuQuantity::tripped) != 0,
              was_off = before[static_cast<std::size_t>(FmuQuantity::tripped)] != 0;
   if (off != was_off) events.push_back({motion.time, off ? DriveEventKind::trip : DriveEventKind::restart});
@@ -282,15 +282,14 @@ std::vector<std::uint8_t> FmuDrive::save() const {
 void FmuDrive::restore(std::span<const std::uint8_t> bytes) {
   const auto must = [&](fmi2Status status) {
     fatal_ = fatal_ || status == fmi2Fatal;
-    if (!fine(status))
-      throw BadInput("has a state that the drivetrain FMU does not take; that of the same FMU is accepted");
+    if (!fine(status)) throw BadInput("has a state that the drivetrain FMU refuses; use the FMU that saved it");
   };
   if (saved_ != nullptr) must(library_.free_state(component_, &saved_));
   saved_ = nullptr;
   must(library_.deserialise(component_, reinterpret_cast<const fmi2Byte*>(bytes.data()), bytes.size(), &saved_));
   must(library_.set_state(component_, saved_));
   values_ = read();
-  if (setup_.history) events_told_ = static_cast<int>(get(setup_.history->events, VariableType::integer));
+  if (setup_.history) events_reported_ = static_cast<int>(get(setup_.history->events, VariableType::integer));
 }
 
 std::vector<std::string> FmuDrive::take_notes() {

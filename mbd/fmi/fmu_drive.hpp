@@ -11,7 +11,7 @@
 
 namespace gyro {
 
-/// What may pass between a drivetrain FMU and the rock, inputs first.
+/// The quantities exchanged with a drivetrain FMU, inputs first.
 enum class FmuQuantity {
   mantle_torque,
   spin_torque,
@@ -47,15 +47,15 @@ struct FmuLink {
   double factor = 1, offset = 0;
 };
 
-/// The events that an exported drivetrain remembers: how many so far, and of the last ones time and DriveEventKind,
-/// the latest first.
+/// The event history of an exported drivetrain: the number of events so far, and of the last ones time and
+/// DriveEventKind, the latest first.
 struct FmuHistory {
   fmi2ValueReference events = 0;
   std::vector<fmi2ValueReference> times, kinds;
 };
 using FmuLinks = std::array<std::optional<FmuLink>, fmu_quantities>;
 
-/// What an FMU with these links can say.
+/// The quantities that an FMU with these links gives.
 DriveKnowledge knowledge_of(const FmuLinks& links);
 
 /// A parameter that is set before the start.
@@ -73,16 +73,16 @@ struct FmuSetup {
   FmuLinks links{};
   std::optional<FmuHistory> history;
   std::vector<FmuStart> starts;
-  std::shared_ptr<const void> files;  ///< keeps the unpacked files there
+  std::shared_ptr<const void> files;  ///< keeps the unpacked files from being deleted
 };
 
-/// A drivetrain that another program has made: an FMI 2.0 co-simulation slave.
+/// A drivetrain made by another program: an FMI 2.0 co-simulation slave.
 ///
-/// preview() takes a step and sets the slave back, where it can save its state; otherwise the speed's last change is
-/// carried on. Quantities that it does not give are means of speeds and torques at both ends of a window; what cannot
-/// be had so is not known (knows()). What happened is read from its history, where it has one. Otherwise a change of
-/// `tripped` is a trip or a restart at the end of the step, and a halt of its forward motion a stall, unless its
-/// motor's torque is known not to be forward.
+/// preview() takes a step and sets the slave back where the slave can save its state; otherwise it extrapolates the
+/// speed with the last acceleration. Integrals that the slave does not give are computed from speeds and torques at
+/// both ends of a window; what cannot be computed either is not known (knows()). Events are read from the slave's
+/// history, where it has one. Otherwise a change of `tripped` is a trip or a restart at the end of the step, and a halt
+/// of forward motion is a stall unless the motor's torque is known not to drive.
 class FmuDrive : public Drive {
  public:
   /// Loads and initialises it. @throws BadInput when that fails
@@ -91,14 +91,14 @@ class FmuDrive : public Drive {
 
   ShaftMotion start() const override { return start_; }
   double start_angle() const override { return start_angle_; }
-  ShaftTurn preview(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
-  ShaftTurn turn(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
+  ShaftAdvance preview(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
+  ShaftAdvance advance(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
   double energy(const ShaftMotion&) const override { return now(FmuQuantity::kinetic_energy); }
   double motor_speed(const ShaftMotion&) const override { return now(FmuQuantity::motor_speed); }
   double motor_torque_now(const ShaftMotion&, const ShaftLoad&) const override {
     return now(FmuQuantity::motor_torque);
   }
-  /// That at the start, or the present one of a drive that started at rest.
+  /// The speed at the start, or the present one for a drive that started at rest.
   double idle_speed() const override { return start_.speed > 0 ? start_.speed : now(FmuQuantity::eccentric_speed); }
   DriveKnowledge knows() const override { return knowledge_of(setup_.links); }
 
@@ -117,10 +117,10 @@ class FmuDrive : public Drive {
   void set_start(const FmuStart& start);
   Values read();
   double get(fmi2ValueReference reference, VariableType type);
-  void tell_history(std::vector<DriveEvent>& events);
-  void tell_changes(const Values& before, const ShaftMotion& motion, std::vector<DriveEvent>& events) const;
+  void report_history(std::vector<DriveEvent>& events);
+  void report_changes(const Values& before, const ShaftMotion& motion, std::vector<DriveEvent>& events) const;
   void step(double time, double duration, const ShaftLoad& load, bool final);
-  ShaftTurn gains(const Values& before, const Values& after, double duration) const;
+  ShaftAdvance gains(const Values& before, const Values& after, double duration) const;
   void check(fmi2Status status, const char* function, double time);
   void check_start(fmi2Status status, const char* function);
   std::string complaint(fmi2Status status, const char* function) const;
@@ -131,10 +131,10 @@ class FmuDrive : public Drive {
   FmuLibrary library_;
   fmi2Component component_ = nullptr;
   bool initialised_ = false, fatal_ = false;
-  mutable fmi2FMUstate saved_ = nullptr;  ///< of the slave's making, used again and again
-  Values values_{};                       ///< at the end of the last turn
-  double last_acceleration_ = 0;          ///< over the last turn [rad/s2]
-  int events_told_ = 0;
+  mutable fmi2FMUstate saved_ = nullptr;  ///< allocated by the slave, reused
+  Values values_{};                       ///< at the end of the last advance
+  double last_acceleration_ = 0;          ///< over the last advance [rad/s2]
+  int events_reported_ = 0;
   ShaftMotion start_;
   double start_angle_ = 0;
 };

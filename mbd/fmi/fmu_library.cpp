@@ -24,7 +24,7 @@ FmuLibrary::FmuLibrary(const std::filesystem::path& file) {
   handle = std::shared_ptr<void>(opened, [](void* library) { dlclose(library); });
   const auto find = [&](auto*& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(opened, name));
-    if (function == nullptr) throw BadInput("its library has no " + std::string(name) + "; FMI 2.0 is accepted");
+    if (function == nullptr) throw BadInput("its library has no " + std::string(name) + "; an FMI 2.0 library has it");
   };
   find(get_version, "fmi2GetVersion");
   find(instantiate, "fmi2Instantiate");
@@ -51,7 +51,7 @@ FmuLibrary::FmuLibrary(const std::filesystem::path& file) {
   find_if_there(serialise, "fmi2SerializeFMUstate");
   find_if_there(deserialise, "fmi2DeSerializeFMUstate");
   if (const std::string version = get_version(); version != "2.0")
-    throw BadInput("its library is of FMI " + version + "; 2.0 is accepted");
+    throw BadInput("its library is of FMI " + version + "; it must be 2.0");
 }
 
 }  // namespace gyro

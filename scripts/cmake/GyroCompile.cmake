@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How every target of the project is compiled.
 
-# An interface that carries language, warnings and floating-point rules.
+# What a program that includes our headers must share with the libraries: language, include path, and no contraction,
+# so that laws in headers have the same bits there.
+add_library(gyro_rules INTERFACE)
+target_compile_features(gyro_rules INTERFACE cxx_std_20)
+target_include_directories(gyro_rules INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gyrosim>)
+target_compile_options(gyro_rules INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+
+# What our own files are compiled with besides.
 add_library(gyro_compile INTERFACE)
-target_compile_features(gyro_compile INTERFACE cxx_std_20)
-target_include_directories(gyro_compile INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(gyro_compile INTERFACE gyro_rules)
 target_compile_options(gyro_compile INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Werror>
-  # Same bits on every machine, thread count and device: no contraction, no reordering.
   # Not asking for errno or traps changes no value and lets loops vectorise.
-  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -fno-math-errno -fno-trapping-math>)
+  $<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno -fno-trapping-math>)
 if(GYRO_NATIVE)
   # -Wno-psabi: packs of 16 floats are only passed inside inlined functions.
   # Not what is handed to other machines, a target with the property GYRO_PORTABLE.
@@ -29,11 +35,40 @@ if(GYRO_SANITIZE)
   target_link_options(gyro_compile INTERFACE $<$<LINK_LANGUAGE:CXX>:${sanitize}>)
 endif()
 
-# gyro_library(NAME SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
+# GCC parses the headers of the standard library once for all targets; for most files of io and app that is a third of
+# the compile time. Compiler caches do not look into precompiled headers, so with a cache every file is compiled by
+# itself. Every file includes what it uses all the same: a build with GYRO_PRECOMPILE=OFF fails where one does not.
+set(precompile OFF)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_CXX_COMPILER MATCHES "ccache")
+  set(precompile ON)
+endif()
+option(GYRO_PRECOMPILE "Parse the headers of the standard library once (default: with GCC, unless ccache is used)"
+       ${precompile})
+if(GYRO_PRECOMPILE)
+  add_library(gyro_precompiled OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
+  target_link_libraries(gyro_precompiled PRIVATE gyro_compile)
+  target_precompile_headers(gyro_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled.hpp)
+endif()
+
+# gyro_precompile(TARGET [OPENMP files...]): uses the precompiled headers in all files but those that use OpenMP.
+# Only the latter are compiled with OpenMP's option, with which GCC refuses headers that were precompiled without it.
+function(gyro_precompile target)
+  cmake_parse_arguments(ARG "" "" "OPENMP" ${ARGN})
+  if(GYRO_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM gyro_precompiled)
+  endif()
+  if(ARG_OPENMP)
+    set_source_files_properties(${ARG_OPENMP} PROPERTIES COMPILE_OPTIONS "${OpenMP_CXX_FLAGS}" SKIP_PRECOMPILE_HEADERS ON)
+    target_link_libraries(${target} PRIVATE $<LINK_ONLY:OpenMP::OpenMP_CXX>)
+  endif()
+endfunction()
+
+# gyro_library(NAME SOURCES ... [OPENMP sources that use OpenMP...] [PUBLIC libs...] [PRIVATE libs...])
 function(gyro_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(${name} PUBLIC gyro_compile ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  cmake_parse_arguments(ARG "" "" "SOURCES;OPENMP;PUBLIC;PRIVATE" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES} ${ARG_OPENMP})
+  gyro_precompile(${name} OPENMP ${ARG_OPENMP})
+  target_link_libraries(${name} PUBLIC gyro_rules $<BUILD_INTERFACE:gyro_compile> ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
 
 # gyro_test(NAME SOURCES ... LIBS ... [LABELS ...]): one Catch2 executable, one ctest per test case.

@@ -112,13 +112,13 @@ TEST_CASE("The force at the first break is drawn out from the windows before it"
 TEST_CASE("Margins of neighbour lists change no value, the step does") {
   const AccuracyScene& scene = accuracy_scenes().front();
   REQUIRE(scene.name == "platen");
-  const auto member = [&](Setting setting) {
+  const auto member = [&](KnobSetting setting) {
     setting.overrides.push_back("time.duration=5 ms");  // the first bonds have broken
     return run_member({&scene, scene_folder(), setting, 1});
   };
-  Setting wide = default_setting();
+  KnobSetting wide = default_setting();
   wide.margin = 2;
-  Setting finer = default_setting();
+  KnobSetting finer = default_setting();
   finer.overrides = {"time.safety=0.35"};
   const MemberResult a = member(default_setting()), b = member(wide), c = member(finer);
   REQUIRE_FALSE(std::isnan(a.values.at("first_break_time")));
@@ -166,11 +166,11 @@ TEST_CASE("bench accuracy --json prints points of the documented shape, margins 
                     Catch::Matchers::Contains("was made with another case"));
 }
 
-TEST_CASE("bench accuracy says what is accepted") {
+TEST_CASE("bench accuracy says what to do") {
   const Workplace place;
   const Outcome scene = place.gyrosim("bench accuracy --scene wegde --json");
   CHECK(scene.code == 2);
-  CHECK(scene.err.find("platen, wedge, crusher are accepted") != std::string::npos);
+  CHECK(scene.err.find("use one of platen, wedge, crusher") != std::string::npos);
   CHECK(scene.out.empty());
   CHECK(place.gyrosim("bench accuracy --knob damping").code == 2);
   CHECK(place.gyrosim("bench").code == 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // No particle leaves the chamber but through its ends, and none is thrown about.
+#include "app/assembly/assembly.hpp"
 #include "app/simulation/device.hpp"
-#include "app/simulation/simulation.hpp"
 #include "core/scene/wall_motion.hpp"
 #include "tests/catch.hpp"
 
@@ -29,7 +29,7 @@ struct Survey {
 
   void look(const Assembly& assembly, const Dem& dem) {
     const std::vector<LinerRow>& rows = assembly.liners->rows;
-    const WallPose mantle = dem.wall_poses()[static_cast<std::size_t>(assembly.gyrating)];
+    const WallPose mantle = dem.wall_poses()[static_cast<std::size_t>(gyrating_wall(assembly.setup.scene))];
     const ParticleSnapshot particles = dem.particles();
     for (std::size_t k = 0; k < particles.size(); ++k) {
       speed = std::max(speed, norm(particles.velocity[k]));
@@ -46,7 +46,9 @@ struct Survey {
 Survey survey(const std::string& file, double duration) {
   const Case input = load_case(file).loaded.value();
   const Assembly assembly = assemble(input);
-  Simulation run(input, assembly, make_dem(Device{}, assembly.scene, Precision::mixed));
+  const std::unique_ptr<Simulation> made =
+      make_simulation(input, assembly.setup, make_dem(Device{}, assembly.setup.scene, Precision::mixed));
+  Simulation& run = *made;
   Survey survey;
   survey.look(assembly, run.dem());
   for (int k = 1; run.time() < duration; ++k) {

@@ -93,15 +93,15 @@ TEST_CASE("The energy account with rock closes to a thousandth, better in shorte
 
 TEST_CASE("What particles did to the walls adds up to the walls' loads, and noting it changes nothing") {
   SmallCrusher noted({"output.liners={interval: 10 ms}"}), plain({});
-  REQUIRE(noted.assembly.scene.wall_impulses);
-  REQUIRE_FALSE(plain.assembly.scene.wall_impulses);
-  std::vector<Vec3d> noted_sum(noted.assembly.scene.walls.size()), load_sum(noted_sum.size());
+  REQUIRE(noted.assembly.setup.scene.wall_impulses);
+  REQUIRE_FALSE(plain.assembly.setup.scene.wall_impulses);
+  std::vector<Vec3d> noted_sum(noted.assembly.setup.scene.walls.size()), load_sum(noted_sum.size());
   double slid = 0, size = 0;
   while (noted.simulation.time() < 0.02) {
     const WindowResult window = noted.simulation.advance();
     plain.simulation.advance();
     const std::vector<WallPose> poses = noted.simulation.dem().wall_poses();
-    for (const WallImpulse& one : noted.simulation.dem().take_wall_impulses()) {
+    for (const WallImpulse& one : window.wall_impulses) {
       noted_sum[static_cast<std::size_t>(one.wall)] +=
           rotate(poses[static_cast<std::size_t>(one.wall)].orientation, one.impulse);
       slid += one.slip;

@@ -63,7 +63,7 @@ TEST_CASE("A run in parts has the numbers of one piece: breaking, feeding, remov
   const Outcome last = place.gyrosim(run + " --until '100 ms' --out parts --resume");
   REQUIRE(last.code == 0);
   require_same_results(place.path() / "whole", place.path() / "parts");
-  CHECK(read_text(place.path() / "parts/log.txt").find("goes on at t = 0.089") != std::string::npos);
+  CHECK(read_text(place.path() / "parts/log.txt").find("resumed at t = 0.089") != std::string::npos);
 }
 
 TEST_CASE("A run stopped by --max-walltime or a signal goes on until it is done, with the same numbers") {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/assembly/assembly.hpp"
 #include "app/simulation/device.hpp"
-#include "app/simulation/simulation.hpp"
 #include "io/case/case.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,13 @@ struct SmallCrusher {
   explicit SmallCrusher(const std::vector<std::string>& set)
       : input(load_case(GYRO_APP_CASES "/crush.yaml", set).loaded.value()),
         assembly(assemble(input)),
-        simulation(input, assembly, make_dem(Device{}, assembly.scene, Precision::mixed)) {}
+        made(make_simulation(input, assembly.setup, make_dem(Device{}, assembly.setup.scene, Precision::mixed))),
+        simulation(*made) {}
 
   Case input;
   Assembly assembly;
-  Simulation simulation;
+  std::unique_ptr<Simulation> made;
+  Simulation& simulation;
 };
 
 }  // namespace gyro

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bad usage and bad input: exit code 2, a message that says where and what is accepted, nothing written.
+// Bad usage and bad input: exit code 2, a message that says where and what to do, nothing written.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 
@@ -13,7 +13,7 @@ using namespace gyro;
 
 const std::string platen = "'" GYRO_APP_CASES "/platen.yaml'";
 
-/// Every line is FILE:LINE:COLUMN: problem; what is accepted.
+/// Every line is FILE:LINE:COLUMN: problem; what to do.
 bool all_located(const std::string& text) {
   const std::regex form("[^\n]+:[0-9]+:[0-9]+: [^\n]+; [^\n]+");
   std::istringstream lines(text);
@@ -67,7 +67,7 @@ TEST_CASE("What shows only when the case is put together is located and writes n
   CHECK(place.listing() == before);
 }
 
-TEST_CASE("A bad command line is refused with what is accepted") {
+TEST_CASE("A bad command line is refused with what to do") {
   const std::string arguments = GENERATE(
       as<std::string>{}, "", "crush x.yaml", "run", "run " + platen + " --bogus", "run " + platen + " --threads 0",
       "run " + platen + " --threads two", "run " + platen + " --device gpu", "run " + platen + " --until '2 kg'",

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "core/dem/make_dem.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 // One scene that uses everything the solver does: bonded rocks and loose spheres of three sizes fall
 // into a turning cylinder with a mesh and a plane as its floor, break, are fed and taken out.
 
 namespace gyro::test {
 
+using namespace fixtures;
+
 inline constexpr double breaking_dt = 4e-7;  // [s]
 
 inline Scene breaking_scene() {
   Scene scene = plain_scene(breaking_dt);
   scene.pairs.assign(4, {0.4, 0.3, 0.01});
-  scene.rolling = true;
   scene.gravity = {0, 0, -9.81};
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;
   scene.bonds->tensile_strength = 4e6;
   scene.bonds->shear_strength = 3e6;
-  scene.largest_radius = 0.01;
   scene.walls.push_back({"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1});
   scene.walls.push_back(
       {"shell", ProfileShape{{{0.07, -0.01}, {0.07, 0.1}, {0.09, 0.2}}}, RotationMotion{{0, 0, 1}, {0, 0, 0}, 20}, 1});
@@ -36,10 +38,10 @@ inline Scene breaking_scene() {
 inline std::vector<NewRock> falling_rocks(RockId rock, ParticleId first, double height) {
   std::vector<NewRock> rocks;
   for (int k = 0; k < 2; ++k) {
-    NewRock r = lattice_rock(rock + k, 4, 0.01, 0.004, 2600, first + 64 * static_cast<ParticleId>(k));
+    NewRock r = lattice(rock + k, 4, {0.01, 0.004}, first + 64 * static_cast<ParticleId>(k));
     for (NewParticle& p : r.particles)
       p.position = rotate(rotation_about({0.6, 0, 0.8}, 0.3 + k), p.position) + Vec3d{0.066 * k - 0.033, 0.004, height};
-    set_rigid_motion(r, {0.5 - k, 0.2, -15}, {0, 0, 0});
+    add_rigid_motion(r, {0.5 - k, 0.2, -15}, {0, 0, 0});
     rocks.push_back(r);
   }
   for (int k = 0; k < 9; ++k)
@@ -53,7 +55,7 @@ inline std::vector<NewRock> falling_rocks(RockId rock, ParticleId first, double 
   return rocks;
 }
 
-/// Everything that a scene says about itself.
+/// Everything that a scene reports.
 struct Outcome {
   ParticleSnapshot particles;
   BondSnapshot bonds;
@@ -65,7 +67,7 @@ struct Outcome {
   Vec3d momentum;
 };
 
-/// Runs the scene: falls, is fed once more, loses the lowest fragments, goes on.
+/// Runs the scene: rocks fall, more rocks are fed, the lowest fragments are removed, the others continue.
 inline Outcome break_rocks(Dem& dem) {
   Outcome out;
   std::int64_t step = 0;

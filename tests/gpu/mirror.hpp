@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dem/dem_solver_impl.hpp"
+#include "core/dem/solver.hpp"
 #include "core/exec/phase_timer.hpp"
-#include "core/kernels/bond_lane.hpp"
 
 #include <sys/mman.h>
 
@@ -100,13 +99,15 @@ class Mirror {
     for (Index i = n - 1; i >= 0; --i) kernel(i);
   }
   template <class Kernel>
-  void for_each_block(const char*, const BlockList& list, const Kernel& kernel) {
+  void for_each_block(const char*, const BlockLaunch& launch, const Kernel& kernel) {
     const Opened opened;
-    for (Index k = list.count - 1; k >= 0; --k) {
-      const Block block = list.blocks[k];
-      for (Index p = block.first_particle; p < block.end_particle; ++p) kernel.clear(p);
-      for (Index c = block.first_colour; c + 1 < block.end_colour; ++c)
-        for (Index b = list.colour_begin[c + 1] - 1; b >= list.colour_begin[c]; --b) kernel(OneLane{b}, k);
+    for (Index k = launch.blocks - 1; k >= 0; --k) {
+      const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
+      for (Index row = rows.begin; row < rows.end; ++row) kernel.clear(row);
+      for (Index c = colours.begin; c < colours.end; ++c) {
+        const IndexRange items = kernel.items_of_colour(c);
+        for (Index item = items.end - 1; item >= items.begin; --item) kernel(typename Kernel::Lane{item}, k);
+      }
     }
   }
   template <class T, class Map>

@@ -29,7 +29,7 @@ TEST_CASE("The host never touches device memory, and one lane gives the bits of 
 
 TEST_CASE("Bonds of one colour that share a particle are refused", "[gpu]") {
   const auto dem = make_cpu_dem(breaking_scene(), Precision::mixed, 1);
-  std::vector<NewRock> rocks{lattice_rock(0, 3, 0.01, 0.004, 2600)};
+  std::vector<NewRock> rocks{lattice(0, 3, {0.01, 0.004})};
   rocks[0].colour_begin = {0, static_cast<Index>(rocks[0].bonds.size())};
   CHECK_THROWS_AS(dem->insert(rocks), BadInput);
   rocks[0].colour_begin = {};

@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of bonds and breakage: packed-in overlap, gaps, cascades, turns, twists.
+// Hard cases of bonds and breakage: packed-in overlap, gaps, cascades, rotations, twists.
+#include "app/verify/fixtures/hertz.hpp"
+#include "app/verify/fixtures/random.hpp"
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "tests/catch.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 #include <set>
 
 using namespace gyro;
-using namespace gyro::test;
+using namespace gyro::fixtures;
 
 namespace {
 
-constexpr double d = 0.025;
+constexpr double d = grain;
 
 Scene bond_scene(double dt) {
-  Scene scene = plain_scene(dt);
-  scene.bonds = paper_bonds();
-  scene.pairs.assign(4, {0.5, 0.25, 0});
-  return scene;
+  return bonded_scene(dt, paper_bonds(), {0.5, 0.25, 0});
 }
 
 /// A lattice whose particles are packed at `spacing` diameters and then moved by up to `shift` [m], so that its bonds
 /// are loaded; every bond has `strength`.
 NewRock loaded_lattice(int n, double spacing, double shift, double strength) {
-  NewRock rock = lattice_rock(0, n, d, d / 4, 2600);
+  NewRock rock = lattice(0, n, {.bond_radius = grain / 4});
   for (NewParticle& p : rock.particles) p.position = spacing * p.position + shift * random_vector(p.id, 0);
   for (NewBond& b : rock.bonds) {
     b.length = spacing * d;
@@ -46,7 +47,7 @@ TEST_CASE("H12 bonds that break with packed-in overlap release no more than they
   std::int64_t step = 0;
   run(*dem, dt, step, 1);
   const EnergyTerms start = dem->energy();
-  const double stored = start.exchanged;  // nothing moved when they came
+  const double stored = start.exchanged;  // nothing moved at the start
   double fastest = 0, maximum = 0;
   for (int k = 0; k < 40; ++k) {
     run(*dem, dt, step, 100);
@@ -109,11 +110,11 @@ TEST_CASE("H13 a bond over a gap that closes before it breaks leaves a continuou
   CHECK(std::abs(dem->energy().residual()) < 0.01 * dem->energy().exchanged);
 }
 
-TEST_CASE("H14 turning by up to 0.1 rad a step strains no bond", "[hard]") {
-  // A pair that spins as a rigid body about an oblique axis, its bond stretched by what the centrifugal force needs.
+TEST_CASE("H14 rotating by up to 0.1 rad a step strains no bond", "[hard]") {
+  // A pair that rotates as a rigid body about an oblique axis; its bond is stretched as the centrifugal force requires.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
-  const double turn = GENERATE(1e-4, 1e-3, 1e-2, 0.05, 0.09);
-  const double dt = 1e-6, angular_velocity = turn / dt;
+  const double rotation = GENERATE(1e-4, 1e-3, 1e-2, 0.05, 0.09);
+  const double dt = 1e-6, angular_velocity = rotation / dt;
   Scene scene = bond_scene(dt);
   scene.bonds->tensile_strength = scene.bonds->shear_strength = 1e30;
   NewRock rock;
@@ -133,25 +134,26 @@ TEST_CASE("H14 turning by up to 0.1 rad a step strains no bond", "[hard]") {
   dem->insert(rocks);
   const double kinetic = dem->energy().kinetic;
   std::int64_t step = 0;
-  const auto steps = static_cast<std::int64_t>(std::min(2e5, std::ceil(10 * 2 * M_PI / turn)));
+  const auto steps = static_cast<std::int64_t>(std::min(2e5, std::ceil(10 * 2 * M_PI / rotation)));
   run(*dem, dt, step, steps);
   const EnergyTerms e = dem->energy();
   const double stretch_energy = 0.5 * stiffness * 1e-4 * d * d;
-  INFO("turn " << turn << ": kinetic " << e.kinetic / kinetic - 1 << ", bond " << e.bond_elastic / stretch_energy - 1);
+  INFO("rotation " << rotation << ": kinetic " << e.kinetic / kinetic - 1 << ", bond "
+                   << e.bond_elastic / stretch_energy - 1);
   // Verlet's own orbit is off by (w dt)^2; the bond's strain adds nothing to that.
-  const double expected = std::max(2 * turn * turn, precision == Precision::double_ ? 1e-9 : 1e-6);
+  const double expected = std::max(2 * rotation * rotation, precision == Precision::double_ ? 1e-9 : 1e-6);
   CHECK(std::abs(e.kinetic / kinetic - 1) < expected);
   CHECK(std::abs(e.bond_elastic / stretch_energy - 1) < 60 * expected);
-  CHECK(dem->extremes().rotation == Approx(turn).epsilon(0.01));
+  CHECK(dem->extremes().rotation == Approx(rotation).epsilon(0.01));
 }
 
-TEST_CASE("H15 a bond twisted by more than it can be has no jump and is noted", "[hard]") {
-  // Weak bonds fail at their strength, long before; one that no stress breaks passes the limit of its law.
+TEST_CASE("H15 a bond twisted beyond the limit of its law has no jump and is reported", "[hard]") {
+  // A weak bond fails at its strength long before; one that no stress breaks passes the limit of its law.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const bool breakable = GENERATE(true, false);
   const double dt = 1e-6, angular_velocity = 40;
   Scene scene = bond_scene(dt);
-  scene.bonds->shear_stiffness = 1e7;  // so soft that the spin goes on
+  scene.bonds->shear_stiffness = 1e7;  // so soft that the spheres keep rotating
   if (!breakable) scene.bonds->tensile_strength = scene.bonds->shear_strength = 1e30;
   if (breakable) scene.bonds->shear_strength = 1e7 * 0.005 * 0.3;  // at 0.3 rad of twist
   NewRock rock;
@@ -164,31 +166,31 @@ TEST_CASE("H15 a bond twisted by more than it can be has no jump and is noted", 
   const std::vector<NewRock> rocks{rock};
   dem->insert(rocks);
   std::int64_t step = 0;
-  double noted = -1, last = 0, jump = 0, twist = 0;
+  double reported = -1, last = 0, jump = 0, twist = 0;
   while (twist < 3 * M_PI && step < 400000) {
     run(*dem, dt, step, 500);
     const ParticleSnapshot s = dem->particles();
     twist += (s.angular_velocity[1].x - s.angular_velocity[0].x) * 500 * dt;
-    if (noted < 0 && dem->extremes().bond_rotation > scene.limits.bond_rotation) noted = twist;
+    if (reported < 0 && dem->extremes().bond_rotation > scene.limits.bond_rotation) reported = twist;
     const double energy = dem->energy().bond_elastic;
     if (step > 500) jump = std::max(jump, std::abs(energy - last));
     last = energy;
   }
   const double capacity = 0.5 * 1e7 * 0.5 * M_PI * std::pow(0.005, 4) * 4;
-  INFO("noted at " << noted << " rad, largest change in 0.04 rad " << jump / capacity);
+  INFO("reported at " << reported << " rad, largest change in 0.04 rad " << jump / capacity);
   if (breakable) {
     CHECK(dem->counts().broken_shear == 1);
-    CHECK(noted == -1);
+    CHECK(reported == -1);
   } else {
     CHECK(dem->counts().bonds_intact == 1);
-    CHECK(noted > 0.5);
-    CHECK(noted < 0.6);
+    CHECK(reported > 0.5);
+    CHECK(reported < 0.6);
     CHECK(dem->extremes().twisted <= 1);
     CHECK(jump < 0.05 * capacity);
   }
 }
 
-TEST_CASE("H16 a hundred thousand bonds that break in one step are all noted, once and in order", "[hard]") {
+TEST_CASE("H16 a hundred thousand bonds that break in one step are all recorded, once and in order", "[hard]") {
   const int n = 33;  // 3 n2 (n - 1) = 104,544 bonds
   const NewRock rock = loaded_lattice(n, 1, 1e-6, 1e-12);
   const std::vector<NewRock> rocks{rock};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of the coupled machine: what is too hard or too large must block, stall and spring back, never pass.
+// Hard cases of the coupled machine: rock that is too hard or too large blocks, stalls and throws back, and never
+// passes.
+#include "app/assembly/assembly.hpp"
 #include "app/simulation/device.hpp"
-#include "app/simulation/simulation.hpp"
 #include "core/base/errors.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
@@ -17,8 +18,9 @@ using namespace gyro;
 struct OneSphere {
   OneSphere(double diameter, const std::string& shear_modulus, const std::vector<std::string>& set = {})
       : input(made(diameter, shear_modulus, set)),
-        assembly(assemble(input)),
-        simulation(input, assembly, make_dem(Device{}, assembly.scene, Precision::double_)) {}
+        setup(assemble(input).setup),
+        owned(make_simulation(input, setup, make_dem(Device{}, setup.scene, Precision::double_))),
+        simulation(*owned) {}
 
   Case made(double diameter, const std::string& shear_modulus, const std::vector<std::string>& set) const {
     place.write("p.csv", "id,x,y,z,r\n1,-0.113,0,0.09," + std::to_string(diameter / 2) + "\n");
@@ -47,7 +49,7 @@ drivetrain:
     return report.loaded.value();
   }
 
-  /// Runs on. @return whether the guard had nothing to say
+  /// Runs up to a time. @return whether the guard did not stop it
   bool until(double time) {
     while (simulation.time() < time) {
       const WindowResult result = simulation.advance();
@@ -69,14 +71,15 @@ drivetrain:
 
   Workplace place;
   Case input;
-  Assembly assembly;
-  Simulation simulation;
+  Setup setup;
+  std::unique_ptr<Simulation> owned;
+  Simulation& simulation;
   double lowest = 1, fastest = 0, backward = 0, deepest = 0, stored = 0, work = 0, force = 0;
 };
 
 }  // namespace
 
-TEST_CASE("H8 H17 H18 a sphere that cannot be crushed stalls the drive and throws it back by what it stored",
+TEST_CASE("H8 H17 H18 a sphere that cannot be crushed stalls the drive and throws it back with the stored energy",
           "[hard]") {
   const std::string modulus = "20 GPa";  // 24 mm, larger than the open side: a smaller one falls through
   OneSphere run(0.024, modulus);
@@ -106,13 +109,13 @@ TEST_CASE("H10 a sphere larger than the open side setting never passes", "[hard]
                             : std::vector<std::string>{});
   const bool sound = run.until(0.6);
   INFO(diameter << " m, " << modulus << ", unstoppable " << unstoppable << ": lowest " << run.lowest << " m, overlap "
-                << run.deepest << " R, " << run.force << " N; " << run.simulation.verdict().value_or("no word"));
+                << run.deepest << " R, " << run.force << " N; " << run.simulation.verdict().value_or("no verdict"));
   CHECK(run.lowest > 0);
   CHECK(run.simulation.dem().counts().particles == 1);
   if (!unstoppable) CHECK(sound);
 }
 
-TEST_CASE("H19 a light machine with long windows shows in its power residual or is stopped", "[hard]") {
+TEST_CASE("H19 a light machine with long windows has a large power residual or is stopped", "[hard]") {
   const auto residual = [](const std::string& interval) {
     OneSphere run(0.024, "20 GPa",
                   {"coupling.interval=" + interval, "drivetrain.inertia.eccentric=0.001 kg m2",
@@ -132,8 +135,8 @@ TEST_CASE("H19 a light machine with long windows shows in its power residual or 
   CHECK(fine < 0.25 * coarse);
 }
 
-TEST_CASE("H20 windows much shorter than a solver's step cost and err no more", "[hard]") {
-  // A hundred windows in the place of one: the same speed.
+TEST_CASE("H20 windows much shorter than the solver's step change no result", "[hard]") {
+  // A hundred windows in place of one give the same speed.
   const auto speed_after = [](const std::string& interval) {
     OneSphere run(0.0187, "1 GPa", {"coupling.interval=" + interval, "drivetrain.start=rest"});
     REQUIRE(run.until(0.02));
@@ -144,9 +147,9 @@ TEST_CASE("H20 windows much shorter than a solver's step cost and err no more", 
   CHECK(many == Approx(one).epsilon(1e-8));
 }
 
-TEST_CASE("H20 a load that is not finite does not get into the drive", "[hard]") {
-  // Each number of the load alone. CVODE would notice some of them at an induction motor; a motor of constant speed
-  // integrates nothing, and the work enters its account alone.
+TEST_CASE("H20 a load that is not finite does not enter the drive", "[hard]") {
+  // Each number of the load alone. With an induction motor CVODE would notice some of them; a motor of constant speed
+  // integrates nothing, and the work only enters its balance.
   const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   const auto number = GENERATE(0, 1, 2, 3, 4);
   const bool constant = GENERATE(false, true);

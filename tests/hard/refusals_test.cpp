@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases that the program must refuse before the first step, or run without a stumble.
+// Hard cases that the program must refuse before the first step, or run to the end.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 
@@ -27,7 +27,7 @@ bonds: {normal_stiffness: 300 GPa/m, shear_stiffness: 120 GPa/m, tensile_strengt
 )";
 const std::string floor_wall = "walls: {floor: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}, material: steel}}\n";
 
-/// A case of spheres from a file, with what else is given.
+/// A case of spheres from a file. @param rest  more of the case
 void write_case(const Workplace& place, const std::string& rest, const std::string& particles) {
   place.write("p.csv", particles);
   place.write("c.yaml",
@@ -76,7 +76,7 @@ TEST_CASE("H1 H2 a step above safety x limit is refused with the number, at any 
         .code;
   };
   CHECK(runs(0.69, "") == 0);
-  CHECK(runs(0.95, " --set time.safety=1") == 0);  // said aloud
+  CHECK(runs(0.95, " --set time.safety=1") == 0);  // asked for
   CHECK(runs(1.05, " --set time.safety=1") == 2);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("H11 a start state with overlaps is refused with the pair and the over
   CHECK(outcome.err.find("m/s") != std::string::npos);
 }
 
-TEST_CASE("H11 what touches, is bonded or has settled is no overlap", "[hard]") {
+TEST_CASE("H11 touching, bonded and settled particles are accepted", "[hard]") {
   const Workplace place;
   write_case(place, floor_wall, "id,x,y,z,r\n1,0,0,0.01,0.01\n2,0.02,0,0.01,0.01\n3,0.04,0,0.0099999,0.01\n");
   CHECK(ran(place)["particles"] == 3);
@@ -110,16 +110,16 @@ TEST_CASE("H11 what touches, is bonded or has settled is no overlap", "[hard]") 
   CHECK(refused(place).err.find("particles 2 and 3 overlap") != std::string::npos);
 }
 
-TEST_CASE("H34 rock born in, behind or through a wall is refused", "[hard]") {
-  const auto [place_of, word] = GENERATE(table<std::string, std::string>({
+TEST_CASE("H34 rock that starts in, behind or through a wall is refused", "[hard]") {
+  const auto [position, word] = GENERATE(table<std::string, std::string>({
       {"0,0,0.0095", "overlaps wall floor"},
       {"0,0,0.001", "overlaps wall floor"},
       {"0,0,-0.001", "behind wall floor"},
       {"0,0,-0.02", "behind wall floor"},
       {"0,0,-50", "behind wall floor"},
-      {"0.195,0,0.5", "overlaps wall sheet"},
-      {"0.2,0,0.5", "overlaps wall sheet"},
-      {"0.2085,0,0.5", "overlaps wall sheet"},
+      {"0.195,0,0.5", "overlaps wall plate"},
+      {"0.2,0,0.5", "overlaps wall plate"},
+      {"0.2085,0,0.5", "overlaps wall plate"},
   }));
   const Workplace place;
   place.write("s.stl",
@@ -127,8 +127,8 @@ TEST_CASE("H34 rock born in, behind or through a wall is refused", "[hard]") {
               "facet\nouter loop\nvertex 0.2 -1 0\nvertex 0.2 1 2\nvertex 0.2 -1 2\nendloop\nendfacet\nendsolid s\n");
   write_case(place,
              "walls:\n  floor: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}, material: steel}\n"
-             "  sheet: {stl: s.stl, material: steel}\n",
-             "id,x,y,z,r\n5," + place_of + ",0.01\n");
+             "  plate: {stl: s.stl, material: steel}\n",
+             "id,x,y,z,r\n5," + position + ",0.01\n");
   const Outcome outcome = refused(place);
   INFO(outcome.err);
   CHECK(outcome.err.find("particle 5") != std::string::npos);
@@ -136,19 +136,19 @@ TEST_CASE("H34 rock born in, behind or through a wall is refused", "[hard]") {
 }
 
 TEST_CASE("H34 H10 rock behind a liner is refused", "[hard]") {
-  const std::string place_of = GENERATE(as<std::string>{}, "0.05,0,0.1", "0.16,0,0.1", "0.134,0,0.05");
+  const std::string position = GENERATE(as<std::string>{}, "0.05,0,0.1", "0.16,0,0.1", "0.134,0,0.05");
   const Workplace place;
   write_case(place,
              "crusher: {profile: '" GYRO_CASES
              "/quickstart-profile.csv', closed_side_setting: 15 mm, "
              "eccentricity: 2.7125 mm, pivot_height: 525 mm}\n",
-             "id,x,y,z,r\n5," + place_of + ",0.005\n");
+             "id,x,y,z,r\n5," + position + ",0.005\n");
   const Outcome outcome = refused(place);
   INFO(outcome.err);
   CHECK(outcome.err.find("particle 5") != std::string::npos);
 }
 
-TEST_CASE("H21 damaged meshes are refused or mended with a word", "[hard]") {
+TEST_CASE("H21 damaged meshes are refused, or repaired with a message", "[hard]") {
   const Workplace place;
   const auto facet = [](const std::string& a, const std::string& b, const std::string& c) {
     return "facet\nouter loop\nvertex " + a + "\nvertex " + b + "\nvertex " + c + "\nendloop\nendfacet\n";
@@ -188,7 +188,7 @@ TEST_CASE("H21 damaged meshes are refused or mended with a word", "[hard]") {
   CHECK(error < 1e-6 * largest);
 }
 
-TEST_CASE("H26 scenes of nothing or of one thing run", "[hard]") {
+TEST_CASE("H26 scenes without particles, or with one, run", "[hard]") {
   const Workplace place;
   const std::string rest = GENERATE_COPY(as<std::string>{}, "", floor_wall, bonds, bonds + floor_wall);
   write_case(place, rest, "id,x,y,z,r\n1,0,0,0.02,0.01\n");
@@ -216,7 +216,7 @@ TEST_CASE("H26 one triangle is a wall", "[hard]") {
   CHECK(lowest < -1);
 }
 
-TEST_CASE("H27 spheres at one point are refused at once, an outlier at 1 km is none of a problem", "[hard]") {
+TEST_CASE("H27 spheres at one point are refused at once, an outlier at 1 km does no harm", "[hard]") {
   const Workplace place;
   std::string rows = "id,x,y,z,r\n";
   for (int k = 0; k < 20000; ++k) rows += std::to_string(k) + ",0.1,0.2,0.3,0.01\n";

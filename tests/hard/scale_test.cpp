@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of scale and memory: crowds, outliers, sizes of 1:60, and what is not finite among many.
+// Hard cases of scale and memory: crowds, outliers, sizes of 1:60, one sphere that is not finite among many.
+#include "app/verify/fixtures/random.hpp"
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/snapshots.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 #include <ctime>
 #include <limits>
 
 using namespace gyro;
-using namespace gyro::test;
+using namespace gyro::fixtures;
 
 namespace {
 
@@ -17,7 +21,7 @@ double now() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// What a step of a scene of loose spheres throws; empty if it does not.
+/// The message with which a step of a scene of loose spheres is stopped; empty if it is not.
 std::string refusal(const std::vector<NewRock>& spheres) {
   const Scene scene = plain_scene(1e-7);
   const auto dem = make_cpu_dem(scene, Precision::mixed, 2);
@@ -26,22 +30,22 @@ std::string refusal(const std::vector<NewRock>& spheres) {
   try {
     run(*dem, scene.dt, step, 1);
   } catch (const StoppedByGuard& stop) {
-    CHECK(dem->particles().size() == spheres.size());  // the state can still be looked at
+    CHECK(dem->particles().size() == spheres.size());  // the state can still be read
     CHECK(dem->extremes().finite);
     return stop.what();
   }
   return {};
 }
 
-/// Seconds of a rebuild of the lists for each listed pair, in a cubic packing of spheres with a radius from `small` to
-/// `large`, each size class filling the same share of the space.
+/// Time of a rebuild of the lists for each listed pair [s], in a cubic packing of spheres with radii from `small` to
+/// `large`; each size class fills the same share of the space.
 double seconds_per_pair(double small, double large, std::size_t count, double& pairs) {
   Scene scene = plain_scene(1e-9);
   scene.neighbour_skin = 1e-4;
   std::vector<NewRock> spheres;
-  // Shelves of cubic lattices, one a size class, side by side: neighbours of one class and of the next.
+  // Cubic lattices of the size classes side by side: spheres have neighbours of their class and of the next.
   const int classes = large > small ? 4 : 1;
-  double shelf = 0;
+  double offset = 0;
   ParticleId id = 0;
   for (int c = 0; c < classes; ++c) {
     const double r = small * std::pow(large / small, classes > 1 ? static_cast<double>(c) / (classes - 1) : 0);
@@ -49,9 +53,9 @@ double seconds_per_pair(double small, double large, std::size_t count, double& p
     const int n = std::max(2, static_cast<int>(std::cbrt(share)));
     for (int k = 0; k < n * n * n; ++k) {
       const Vec3d at{k % n + 0.5, (k / n) % n + 0.5, k / (n * n) + 0.5};
-      spheres.push_back(sphere(id++, Vec3d{shelf, 0, 0} + 2 * r * at, {0, 0, 0}, r, 2600));
+      spheres.push_back(sphere(id++, Vec3d{offset, 0, 0} + 2 * r * at, {0, 0, 0}, r, 2600));
     }
-    shelf += 2 * r * n;
+    offset += 2 * r * n;
   }
   const auto dem = make_cpu_dem(scene, Precision::mixed, 1);
   double best = 1e300;
@@ -68,7 +72,7 @@ double seconds_per_pair(double small, double large, std::size_t count, double& p
     dem->advance({repeat, 1, scene.dt}, {});
     best = std::min(best, seconds() - before);
   }
-  // Pairs of touching lattice neighbours: 3 n2 (n - 1) a shelf, and what touches across shelves, which is less.
+  // Pairs of touching neighbours: 3 n2 (n - 1) in a lattice; those across lattices are few.
   pairs = 0;
   for (int c = 0; c < classes; ++c) {
     const int n = std::max(2, static_cast<int>(std::cbrt(static_cast<double>(count) / std::pow(4.0, c))));
@@ -79,7 +83,7 @@ double seconds_per_pair(double small, double large, std::size_t count, double& p
 
 }  // namespace
 
-TEST_CASE("H27 a million spheres at one point end in a word, not in a hang", "[hard]") {
+TEST_CASE("H27 a million spheres at one point end in a message and do not hang", "[hard]") {
   const int count = GENERATE(20'000, 1'000'000);
   std::vector<NewRock> spheres;
   for (int k = 0; k < count; ++k)
@@ -91,7 +95,7 @@ TEST_CASE("H27 a million spheres at one point end in a word, not in a hang", "[h
   CHECK(now() - begin < 30);
 }
 
-TEST_CASE("H27 three hundred thousand spheres in the space of one cell end in a word", "[hard]") {
+TEST_CASE("H27 three hundred thousand spheres in the space of one cell end in a message", "[hard]") {
   std::vector<NewRock> spheres;
   for (ParticleId k = 0; k < 300'000; ++k)
     spheres.push_back(sphere(k, 0.01 * random_vector(k, 0), {0, 0, 0}, 0.01, 2600));
@@ -101,7 +105,7 @@ TEST_CASE("H27 three hundred thousand spheres in the space of one cell end in a 
 TEST_CASE("H27 outliers a kilometre away cost a bed neither time nor memory", "[hard]") {
   const auto seconds = [](bool outliers) {
     Scene scene = plain_scene(1e-7);
-    std::vector<NewRock> spheres = cloud(40, 40, 40, 0.0205, 0.01, 0.1);
+    std::vector<NewRock> spheres = cloud({{40, 40, 40}, 0.0205, 0.01, 0.1});
     if (outliers)
       for (int k = 0; k < 8; ++k)
         spheres.push_back(sphere(static_cast<ParticleId>(100'000 + k),
@@ -123,10 +127,10 @@ TEST_CASE("H27 outliers a kilometre away cost a bed neither time nor memory", "[
   CHECK(with < 3 * alone);
 }
 
-TEST_CASE("H27 H30 one sphere that is nowhere neither slows the search nor moves the others", "[hard]") {
+TEST_CASE("H27 H30 one sphere without a finite position neither slows the search nor moves the others", "[hard]") {
   const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200);
   Scene scene = plain_scene(1e-6);
-  std::vector<NewRock> spheres = cloud(40, 40, 40, 0.0205, 0.01, 0.1);
+  std::vector<NewRock> spheres = cloud({{40, 40, 40}, 0.0205, 0.01, 0.1});
   const auto clean = make_cpu_dem(scene, Precision::mixed, 1);
   clean->insert(spheres);
   spheres.push_back(sphere(100'000, {0.1, bad, 0}, {0, 0, 0}, 0.01, 2600));
@@ -146,7 +150,7 @@ TEST_CASE("H27 H30 one sphere that is nowhere neither slows the search nor moves
   CHECK(equal);
 }
 
-TEST_CASE("H28 the search costs as much a pair for sizes of 1:60 as for one size", "[hard]") {
+TEST_CASE("H28 the search takes as long for each pair of sizes of 1:60 as for one size", "[hard]") {
   double pairs_one = 0, pairs_mixed = 0;
   const double one = seconds_per_pair(0.0042, 0.0042, 30'000, pairs_one),
                mixed = seconds_per_pair(0.0042, 0.25, 30'000, pairs_mixed);
@@ -155,17 +159,17 @@ TEST_CASE("H28 the search costs as much a pair for sizes of 1:60 as for one size
   CHECK(mixed < 2 * one);
 }
 
-TEST_CASE("H29 lists that went stale are rebuilt by way, of spheres and of walls", "[hard]") {
-  // A bullet through a margin many times its own, and a plate that comes from far: margins change no bit.
+TEST_CASE("H29 lists are rebuilt when spheres or walls have moved too far", "[hard]") {
+  // A fast sphere that passes many skins, and a plate that comes from far away: the skin changes no bit.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
-  const auto outcome = [&](double margin) {
+  const auto outcome = [&](double skin) {
     Scene scene = plain_scene(2e-6);
-    scene.neighbour_skin = margin;
+    scene.neighbour_skin = skin;
     scene.walls = {
         {"plate", PlaneShape{{0, 0, -0.3}, {0, 0, 1}}, LinearMotion{{0, 0, 20}}, 1},
         {"paddle", TriangleMesh{{{0.4, -1, -1}, {0.4, 1, -1}, {0.4, 1, 1}, {0.4, -1, 1}}, {{0, 1, 2}, {0, 2, 3}}},
          RotationMotion{{0, 0, 1}, {0, 0, 0}, 40}, 1}};
-    std::vector<NewRock> spheres = cloud(8, 8, 8, 0.025, 0.0115, 0);
+    std::vector<NewRock> spheres = cloud({{8, 8, 8}, 0.025, 0.0115, 0});
     spheres.push_back(sphere(9000, {-0.5, 0.003, 0.004}, {100, 0, 0}, 0.01, 7000));
     const auto dem = make_cpu_dem(scene, precision, 1);
     dem->insert(spheres);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mantle's spin as a second degree of freedom: signs, dragging, rolling, bearing friction, energy.
+#include "app/verify/fixtures/drives.hpp"
 #include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <algorithm>
 
 namespace gyro {
 namespace {
+
+using namespace fixtures;
 
 constexpr double tilt_sine = 0.0217 / 4.2, surface_radius = 0.953, surface_depth = 4.2;
 const double tilt_cosine = std::sqrt(1 - tilt_sine * tilt_sine);
@@ -109,11 +111,11 @@ TEST_CASE("A mantle at rest is dragged up at T / J_a and then stays with the ecc
   const double caught = 8000 * 160 * rpm * tilt_cosine / inner;  // [s]
   double time = 0, spun = 0;
   for (; time < 0.9 * caught; time += 1.8 * caught / windows / 2) {
-    spun += shaft.turn(1.8 * caught / windows / 2, ShaftLoad{}, motion).spun;
+    spun += shaft.advance(1.8 * caught / windows / 2, ShaftLoad{}, motion).spin_angle;
   }
   const double sure = std::min(time, caught);
   CHECK(spun == Approx(0.5 * inner / 8000 * sure * sure + (time - sure) * 160 * rpm * tilt_cosine).epsilon(1e-8));
-  shaft.turn(1.2 * caught - time, ShaftLoad{}, motion);
+  shaft.advance(1.2 * caught - time, ShaftLoad{}, motion);
   CHECK(motion.slip == 0);
   CHECK(motion.spin == Approx(tilt_cosine * motion.speed).epsilon(1e-15));
 }
@@ -137,7 +139,7 @@ TEST_CASE("The mantle breaks away beyond the bushing's torque, and is caught aga
   Shaft shaft(spinning_machine(induction_450kw(), inner, 0));
   ShaftMotion motion = shaft.start();
   const auto under = [&](double spin_torque, double duration) {
-    shaft.turn(duration, ShaftLoad{.rock_torque = 5000, .spin_torque = spin_torque}, motion);
+    shaft.advance(duration, ShaftLoad{.rock_torque = 5000, .spin_torque = spin_torque}, motion);
     return motion.slip;
   };
   CHECK(under(-0.98 * inner, 0.5) == 0);
@@ -176,10 +178,10 @@ TEST_CASE("Energy balances with spin, bearings, gear losses and spring together"
                          .spin_torque = 3e3 * std::sin(0.07 * k) - 1e3,
                          .bearings = {.bushing = 1e5 * (1 + std::sin(0.11 * k)), .spider = 5e4}};
     const int before = motion.slip;
-    const ShaftTurn turn = shaft.turn(length, load, motion);
+    const ShaftAdvance turn = shaft.advance(length, load, motion);
     slips += motion.slip != before;
     motor_work += turn.motor_work;
-    spent += load.rock_torque * turn.angle - load.spin_torque * turn.spun + turn.loss_work + turn.kinetic_gain;
+    spent += load.rock_torque * turn.angle - load.spin_torque * turn.spin_angle + turn.loss_work + turn.kinetic_gain;
     gained += turn.kinetic_gain;
   }
   CAPTURE(stiffness, length, motor_work, spent, slips);
@@ -189,7 +191,7 @@ TEST_CASE("Energy balances with spin, bearings, gear losses and spring together"
   CHECK(gained == Approx(shaft.energy(motion) - energy_before).epsilon(1e-6));
 }
 
-TEST_CASE("Stall with a spinning mantle: both come to rest, and rest exactly", "[mbd][mantle]") {
+TEST_CASE("Stall with a spinning mantle: both come to rest exactly", "[mbd][mantle]") {
   DrivetrainParameters machine = spinning_machine(induction_450kw(), 1500, 1000);
   machine.mantle_inertia = 400;
   machine.losses = {.no_load_power = 100e3, .load_factor = 1};

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace gyro {
 namespace {
+
+using namespace fixtures;
 
 const CurveMotor catalogue{.speeds = {0, 40, 90, 100, 110}, .torques = {200, 180, 250, 50, -150}};
 
@@ -133,6 +135,33 @@ TEST_CASE("Run-up on a table of torques: the integral of J dw / T, piece by piec
   Drivetrain drivetrain({.motor = catalogue, .eccentric_inertia = inertia, .start = DrivetrainStart::rest});
   run(drivetrain, exact, GENERATE(1, 10, 1000), no_rock);
   CHECK(drivetrain.state().speed == Approx(target).epsilon(1e-7));
+}
+
+TEST_CASE("Each motor law has its own name and parameters", "[mbd][motor]") {
+  const std::vector<std::string> models = motor_models();
+  CHECK(models.size() == std::variant_size_v<Motor>);
+  for (const std::string& model : models) {
+    Motor motor = motor_of_model(model);
+    CHECK(model_of(motor) == model);
+    CHECK(std::ranges::count(models, model) == 1);
+    std::vector<std::string> keys;
+    for_each_parameter([&](const char* key, const char*, auto&, const char*) { keys.emplace_back(key); }, motor);
+    CHECK_FALSE(keys.empty());
+    for (const std::string& key : keys) CHECK(std::ranges::count(keys, key) == 1);
+  }
+  CHECK_THROWS_WITH(motor_of_model("steam"),
+                    Catch::Matchers::StartsWith("there is no motor model `steam`; the models"));
+}
+
+TEST_CASE("Torques go with the voltage squared, a droop line is shifted", "[mbd][motor]") {
+  const double voltage = 0.8;
+  for (const double speed : {0.0, 30.0, 55.0}) {
+    CHECK(motor_torque(catalogue, speed, voltage) == Approx(0.64 * catalogue.torque(speed)));
+    CHECK(motor_torque(induction_450kw(), speed, voltage) == Approx(0.64 * induction_450kw().torque(speed)));
+    const DroopMotor droop = paper_droop();
+    CHECK(motor_torque(droop, speed, voltage) == Approx(droop.torque(speed) - 0.2 * droop.stall_torque));
+    CHECK(motor_torque(ConstantSpeedMotor{60}, speed, voltage) == 0);
+  }
 }
 
 TEST_CASE("Motors out of range are refused", "[mbd][motor]") {

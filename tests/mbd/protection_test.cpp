@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Relays, brake and restart, voltage, and the coupling spring.
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 namespace gyro {
 namespace {
+
+using namespace fixtures;
 
 using enum DriveEventKind;
 
@@ -168,12 +170,12 @@ TEST_CASE("Coupling spring: the two-mass oscillation, and its energy", "[mbd][pr
   const double energy = shaft.energy(motion);
   const double frequency = std::sqrt(stiffness * (1 / 50.0 + 3.75 * 3.75 / 5000));  // rad/s
   const double time = 12.3 / frequency;
-  for (int k = 0; k < 100; ++k) shaft.turn(time / 100, 0.0, motion);
+  for (int k = 0; k < 100; ++k) shaft.advance(time / 100, 0.0, motion);
   CHECK(motion.twist == Approx(0.01 * std::cos(12.3)).epsilon(1e-6));
   CHECK(shaft.energy(motion) == Approx(energy).epsilon(1e-9));
 }
 
-TEST_CASE("A stiff coupling spring is as good as a rigid shaft", "[mbd][protection]") {
+TEST_CASE("A stiff coupling spring acts as a rigid shaft", "[mbd][protection]") {
   DrivetrainParameters machine = crusher_62_75(induction_450kw());
   machine.losses.no_load_power = 100e3;
   Drivetrain rigid(machine);

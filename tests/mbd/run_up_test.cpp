@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Run-up of NEMA motors without load, t = integral of J dw / T(w), against numbers that owe nothing to this program:
-// cages by scipy's fsolve from the name plates of induction.hpp, integrals by its adaptive quadrature (QUADPACK).
+// cages by scipy's fsolve from the name plates of double_cage.hpp, integrals by its adaptive quadrature (QUADPACK).
+#include "app/verify/fixtures/drives.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 namespace {
 
 using namespace gyro;
+using namespace gyro::fixtures;
 
 struct RunUp {
   NemaDesign design;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mbd/shaft.hpp"
+#include "app/verify/fixtures/drives.hpp"
 
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <array>
 #include <limits>
@@ -11,8 +11,9 @@
 namespace gyro {
 namespace {
 
-/// Time at which a Kloss motor without load reaches a slip, from rest [s]:
-///   t(s) = (J w0 / 2 Tb) [(1 - s^2) / (2 sb) + sb ln(1/s)]
+using namespace fixtures;
+
+/// The formula of KlossTime [s].
 double run_up_time(double slip) {
   const double inertia = 500, synchronous = 100, torque = 1000, breakdown = 0.1;
   return inertia * synchronous / (2 * torque) * ((1 - slip * slip) / (2 * breakdown) + breakdown * std::log(1 / slip));
@@ -21,8 +22,7 @@ double run_up_time(double slip) {
 }  // namespace
 
 TEST_CASE("CVODE finds the times of the Kloss run-up", "[mbd][shaft]") {
-  const auto [slip, printed] =
-      GENERATE(table<double, double>({{0.5, 95.482868}, {0.1, 129.506463}, {0.05, 132.176831}}));
+  const auto [slip, printed] = GENERATE(from_range(std::begin(kloss_times), std::end(kloss_times)));
   CAPTURE(slip);
   CHECK(run_up_time(slip) == Approx(printed).margin(1e-6));
 
@@ -48,7 +48,7 @@ TEST_CASE("Gear losses take the same share whichever way power flows", "[mbd][sh
       CHECK(gear.torque_at_motor(gear.torque_at_eccentric(torque, direction), direction) == Approx(torque));
 }
 
-TEST_CASE("A restart per window costs tens of evaluations, long or short", "[mbd][shaft]") {
+TEST_CASE("A restart of the solver costs tens of evaluations, in long and in short windows", "[mbd][shaft]") {
   const InductionMotor motor = induction_450kw();
   const double length = GENERATE(1e-6, 0.5e-3, 50e-3);
   const std::array<double, 1> tolerance{1e-12};
@@ -63,7 +63,7 @@ TEST_CASE("A restart per window costs tens of evaluations, long or short", "[mbd
   CHECK(session.rate_evaluations() < 200);
 }
 
-TEST_CASE("Not-finite values and errors inside the equation stop the run", "[mbd][shaft]") {
+TEST_CASE("Values that are not finite and errors inside the equation stop the run", "[mbd][shaft]") {
   const std::array<double, 1> tolerance{1e-10};
   CvodeSession session({.size = 1, .absolute_tolerance = tolerance},
                        [](std::span<const double> y, std::span<double> rate) {

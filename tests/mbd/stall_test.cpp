@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/verify/fixtures/drives.hpp"
 #include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <algorithm>
 
 namespace gyro {
 namespace {
+
+using namespace fixtures;
 
 constexpr double length = 2e-3;  // of a window [s]
 
@@ -36,7 +38,7 @@ struct Watch {
 
 }  // namespace
 
-TEST_CASE("Overload with friction: stops, stands exactly still, starts again", "[mbd][stall]") {
+TEST_CASE("Overload with friction: the machine stops, stays exactly at rest and starts again", "[mbd][stall]") {
   const double load = 1.1 * breakdown_at_eccentric();
   const auto overload = [&](double, double) { return load; };
   // Friction that grows with the load holds the rest of the overload: self-locking.
@@ -83,7 +85,7 @@ TEST_CASE("Overload without friction drives the machine backwards, through zero 
   CHECK(drivetrain.state().speed == Approx(160 * rpm).epsilon(1e-6));
 }
 
-TEST_CASE("Stuck is left only beyond the static friction", "[mbd][stall]") {
+TEST_CASE("A stuck shaft moves again only beyond the static friction", "[mbd][stall]") {
   const DrivetrainParameters machine = machine_with_losses(0.2);
   Shaft shaft(machine);
   const double motor = 3.75 * induction_450kw().torque(0);
@@ -92,7 +94,7 @@ TEST_CASE("Stuck is left only beyond the static friction", "[mbd][stall]") {
   const double forward_limit = (motor - idle) / 1.2, backward_limit = (motor + idle) / 0.8;
   const auto direction_under = [&](double torque) {
     ShaftMotion motion;
-    shaft.turn(length, torque, motion);
+    shaft.advance(length, torque, motion);
     CHECK((motion.direction == 0) == (motion.speed == 0));
     return motion.direction;
   };
@@ -102,7 +104,7 @@ TEST_CASE("Stuck is left only beyond the static friction", "[mbd][stall]") {
   CHECK(direction_under(backward_limit * (1 + 1e-9)) == -1);
 }
 
-TEST_CASE("Elastic cavity throws the machine back with less than it stored", "[mbd][stall]") {
+TEST_CASE("An elastic cavity throws the machine back with less energy than it stored", "[mbd][stall]") {
   const double stiffness = 2e6, touch = 1.0;  // [N m/rad], [rad]
   const auto energy = [&](double angle) { return 0.5 * stiffness * std::pow(std::max(0.0, angle - touch), 2); };
   const auto cavity = [&](double begin, double end) {
@@ -125,7 +127,7 @@ TEST_CASE("Elastic cavity throws the machine back with less than it stored", "[m
   CHECK(std::abs(drivetrain.energy_residual()) < 1e-3 * stored);
 }
 
-TEST_CASE("Machine bound to a spring rocks, comes to rest in its friction and stays", "[mbd][stall]") {
+TEST_CASE("A machine on a spring oscillates, comes to rest by friction and stays at rest", "[mbd][stall]") {
   const double stiffness = 2e6, middle = 1.0;  // [N m/rad], [rad]
   const auto spring = [&](double begin, double end) { return stiffness * ((begin + end) / 2 - middle); };
   Drivetrain drivetrain(machine_with_losses(0.05));
@@ -148,8 +150,7 @@ TEST_CASE("Machine bound to a spring rocks, comes to rest in its friction and st
   CHECK(watch.wall_creep == 0);
 }
 
-TEST_CASE("Turned back and held: friction catches the machine out of backward motion, and that is told",
-          "[mbd][stall]") {
+TEST_CASE("Turned back and held: friction stops the machine in backward motion, and an event says so", "[mbd][stall]") {
   // Forward until (1 + f) k x stops it at x0, back to 2 x_b - x0 with x_b = M / ((1 - f) k): held there if that is
   // above M / ((1 + f) k). With f = 0.3 and this spring x0 is about 1.7 M / k, between 1.43 (turned back) and 2.09
   // (held).

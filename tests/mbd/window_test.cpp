@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Windows that the drive wants shorter: the power residual as an error indicator.
+// Shorter windows at the drive's request: the power residual as an error indicator.
+#include "app/verify/fixtures/drives.hpp"
 #include "tests/catch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <algorithm>
 
 namespace gyro {
 namespace {
 
-/// Undriven shaft on a torsion spring: 1 rad/s at angle 0; the motor is too weak to matter.
-DrivetrainParameters shaft_on_spring(double inertia) {
-  return {.motor = DroopMotor{.synchronous_speed = 1, .stall_torque = 1e-9}, .eccentric_inertia = inertia};
-}
+using namespace fixtures;
 
-/// Windows as the drive wants them, against a spring that may be let go.
+/// Windows of the length that the drive asks for, against a spring whose stiffness may change.
 struct AdaptiveRun {
   Drivetrain drivetrain;
   double longest, stiffness;
@@ -30,7 +27,7 @@ struct AdaptiveRun {
 
 }  // namespace
 
-TEST_CASE("Windows are halved until the residual is small, and grow again when they may", "[mbd][coupling]") {
+TEST_CASE("Windows are halved until the residual is small, and grow again when it allows", "[mbd][coupling]") {
   DrivetrainParameters light = shaft_on_spring(300);
   light.residual_limit = 0.02;
   AdaptiveRun run{Drivetrain(light), 5e-3, 5e6};
@@ -45,7 +42,7 @@ TEST_CASE("Windows are halved until the residual is small, and grow again when t
     fastest = std::max(fastest, std::abs(run.drivetrain.state().speed));
   }
   CHECK(residual < 0.03 * passed);
-  CHECK(fastest < 1.02);  // began at 1 rad/s: no growth
+  CHECK(fastest < 1.02);  // it began at 1 rad/s: no growth
   run.stiffness = 5e2;
   while (run.time < 4) run.window();
   CHECK(run.drivetrain.window_divisor() == 1);

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not change a bit: threads, list margins, order of arrival, windows, rock that left.
+// What changes no bit of the results: threads, skins, order of insertion, windows, removed rock.
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/snapshots.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "tests/catch.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 using namespace gyro;
-using namespace gyro::test;
+using namespace gyro::fixtures;
 
 namespace {
 
-constexpr double d = 0.025, dt = 2e-6;
+constexpr double dt = 2e-6;
 
 /// A box with eight breaking rocks and a cloud of single spheres under gravity, with friction.
 Scene busy_scene() {
   Scene scene = plain_scene(dt);
   scene.gravity = {0, 0, -9.81};
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
   scene.wall_impulses = true;
   scene.bonds = paper_bonds();
   scene.bonds->damping = 0.05;
@@ -28,15 +30,15 @@ Scene busy_scene() {
 
 std::vector<NewRock> busy_rocks(int layers = 10) {
   std::vector<NewRock> rocks;
-  NewRock block = lattice_rock(0, 3, d, d / 5, 2600);
-  scatter_strength(block);
+  NewRock cube = lattice(0, 3);
+  scatter_strength(cube);
   for (int k = 0; k < 8; ++k) {
     const double x = k % 2 ? 0.0385 : -0.0385, y = k / 2 % 2 ? 0.0385 : -0.0385, z = k / 4 ? -0.18 : -0.2615;
-    NewRock rock = placed(block, k, static_cast<ParticleId>(1000 * (k + 1)), {x, y, z + 0.001 * (k % 3)});
+    NewRock rock = placed(cube, k, static_cast<ParticleId>(1000 * (k + 1)), {x, y, z + 0.001 * (k % 3)});
     for (NewParticle& p : rock.particles) p.velocity = {-200 * x, -200 * y, k / 4 ? -8.0 : -20.0};
     rocks.push_back(rock);
   }
-  for (NewRock& s : cloud(11, 11, layers, 0.028, 0.0115, 1.0, 20000)) {
+  for (NewRock& s : cloud({{11, 11, layers}, 0.028, 0.0115, 1.0}, 20000)) {
     s.particles[0].position.z += 0.14;
     rocks.push_back(s);
   }
@@ -92,7 +94,7 @@ void check_same(const Outcome& a, const Outcome& b) {
 
 }  // namespace
 
-TEST_CASE("Threads change no bit", "[dem][bits]") {
+TEST_CASE("The number of threads changes no bit", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const Outcome one = outcome(busy_scene(), precision, 1, busy_rocks(), 150);
   REQUIRE(one.breakages.size() > 20);
@@ -106,21 +108,21 @@ TEST_CASE("Threads change no bit", "[dem][bits]") {
   }
 }
 
-TEST_CASE("The margin of the neighbour lists changes no bit", "[dem][bits]") {
+TEST_CASE("The skin of the neighbour lists changes no bit", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = busy_scene();
   const Outcome automatic = outcome(scene, precision, 1, busy_rocks(3));
   REQUIRE(automatic.impulses.size() > 100);
-  for (const double margin : {2e-5, 3e-3, 2e-2}) {
-    INFO("margin " << margin);
-    scene.neighbour_skin = margin;
+  for (const double skin : {2e-5, 3e-3, 2e-2}) {
+    INFO("skin " << skin);
+    scene.neighbour_skin = skin;
     const Outcome other = outcome(scene, precision, 1, busy_rocks(3));
     check_same(automatic, other);
     CHECK(automatic.residual == other.residual);
   }
 }
 
-TEST_CASE("The order of arrival changes no bit", "[dem][bits]") {
+TEST_CASE("The order of insertion changes no bit", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   std::vector<NewRock> rocks = busy_rocks(3);
   const Outcome given = outcome(busy_scene(), precision, 1, rocks);
@@ -137,12 +139,12 @@ TEST_CASE("The length of windows changes no bit of the rock", "[dem][bits]") {
   CHECK(same_bits(a.particles, b.particles));
 }
 
-TEST_CASE("Rock that leaves changes no bit of rock that it does not touch", "[dem][bits]") {
+TEST_CASE("Removing rock changes no bit of rock that it does not touch", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const auto far_sphere = [](ParticleId id) {
     return sphere(id, {5, 0, 0.05 * double(id - 16000)}, {0, 0, 0}, 0.01, 2600);
   };
-  NewRock far_rock = placed(lattice_rock(0, 3, d, d / 5, 2600), 99, 15000, {-5, 0, 0});
+  const NewRock far_rock = placed(lattice(0, 3), 99, 15000, {-5, 0, 0});
   std::vector<NewRock> rocks = busy_rocks(3), more;
   for (std::size_t k = 0; k < rocks.size(); ++k) {
     if (k % 50 == 3) more.push_back(far_sphere(static_cast<ParticleId>(16000 + k / 50)));

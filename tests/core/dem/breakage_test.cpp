@@ -1,42 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Failure of bonds in the engine: energy, forces, and what the pair is afterwards.
+// Failure of bonds in the engine: energy, forces, and the contact of the pair afterwards.
+#include "app/verify/fixtures/hertz.hpp"
+#include "app/verify/fixtures/random.hpp"
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "tests/catch.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 #include <iterator>
 
 using namespace gyro;
-using namespace gyro::test;
+using namespace gyro::fixtures;
 
 namespace {
 
-constexpr double d = 0.025, bond_radius = 0.005;
-
-/// Two bonded spheres along x.
-NewRock pair_of(double length, Vec3d v_i, Vec3d v_j, double strength = 1) {
-  NewRock rock;
-  rock.id = 0;
-  rock.particles = {{0, {0, 0, 0}, v_i, {0, 0, 0}, d / 2, 2600}, {1, {length, 0, 0}, v_j, {0, 0, 0}, d / 2, 2600}};
-  rock.bonds = {{0, 1, length, bond_radius, strength}};
-  rock.colour_begin = {0, 1};
-  return rock;
-}
+constexpr double d = grain;
 
 Scene bond_scene(double dt) {
-  Scene scene = plain_scene(dt);
-  scene.bonds = paper_bonds();
-  scene.pairs.assign(4, {0.5, 1, 0});
-  return scene;
+  return bonded_scene(dt, paper_bonds(), {0.5, 1, 0});
 }
 
 }  // namespace
 
-TEST_CASE("A bond torn apart releases what it stored", "[dem][bond]") {
+TEST_CASE("A bond that fails in tension releases the energy that it stored", "[dem][bond]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double v = 2, dt = 2e-8, strength = GENERATE(0.5, 1.0);
   Scene scene = bond_scene(dt);
   const auto dem = make_cpu_dem(scene, precision, 1);
-  const std::vector<NewRock> rocks{pair_of(d, {-v, 0, 0}, {v, 0, 0}, strength)};
+  const std::vector<NewRock> rocks{bonded_pair({-v, 0, 0}, {v, 0, 0}, strength)};
   dem->insert(rocks);
   const double kinetic = dem->energy().kinetic;
   std::int64_t step = 0;
@@ -62,12 +53,12 @@ TEST_CASE("A bond torn apart releases what it stored", "[dem][bond]") {
   CHECK(dem->particles().fragment == std::vector<Index>{0, 1});
 }
 
-TEST_CASE("Shear failure in compression leaves the normal force as it is", "[dem][bond]") {
+TEST_CASE("Shear failure in compression does not change the normal force", "[dem][bond]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 2e-8;
   Scene scene = bond_scene(dt);
   const auto dem = make_cpu_dem(scene, precision, 1);
-  const std::vector<NewRock> rocks{pair_of(d, {0.5, -2, 0}, {-0.5, 2, 0}, 0.5)};
+  const std::vector<NewRock> rocks{bonded_pair({0.5, -2, 0}, {-0.5, 2, 0}, 0.5)};
   dem->insert(rocks);
   std::int64_t step = 0;
   double before = 0, change_before = 0, jump = -1;
@@ -93,7 +84,7 @@ TEST_CASE("Shear failure in compression leaves the normal force as it is", "[dem
   CHECK(std::abs(dem->energy().residual()) < 0.01 * work);
 }
 
-TEST_CASE("A pair that came apart touches as spheres do, before lists are rebuilt", "[dem][bond][contact]") {
+TEST_CASE("A pair whose bond is broken touches as spheres do, before the lists are rebuilt", "[dem][bond][contact]") {
   // Sheared apart while pressed, or torn; the right one rebounds from a wall and hits the left one.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const bool torn = GENERATE(true, false);
@@ -106,7 +97,7 @@ TEST_CASE("A pair that came apart touches as spheres do, before lists are rebuil
   scene.walls = {{"right", PlaneShape{{1.5 * d + 1e-4, 0, 0}, {-1, 0, 0}}, Fixed{}, 1}};
   const auto dem = make_cpu_dem(scene, precision, 1);
   const Vec3d v_j = torn ? Vec3d{2, 0, 0} : Vec3d{-2, 1e-3, 0};
-  const std::vector<NewRock> rocks{pair_of(d, {0, 0, 0}, v_j)};
+  const std::vector<NewRock> rocks{bonded_pair({0, 0, 0}, v_j)};
   dem->insert(rocks);
   std::int64_t step = 0;
   run(*dem, dt, step, 10);
@@ -125,10 +116,8 @@ TEST_CASE("A pair that came apart touches as spheres do, before lists are rebuil
   const ParticleSnapshot s = dem->particles();
   if (torn) {
     // An elastic central impact hands the velocity over, at Hertz's depth for two equal spheres.
-    const Material& m = scene.materials[0];
-    const double plane = m.shear_modulus * (1 + m.poisson_ratio) / (1 - m.poisson_ratio * m.poisson_ratio);
-    const double depth = std::pow(15 * s.mass[0] / 2 * 4 / (16 * plane * std::sqrt(d / 4)), 0.4);
-    CHECK(d - nearest == Approx(depth).epsilon(0.02));
+    const ElasticImpact hertz(youngs_of_pair(scene.materials[0]), d / 4, s.mass[0] / 2, 2);
+    CHECK(d - nearest == Approx(hertz.overlap).epsilon(0.02));
     CHECK(s.velocity[0].x == Approx(-2).epsilon(0.01));
     CHECK(std::abs(s.velocity[1].x) < 0.02);
   }
@@ -144,7 +133,7 @@ TEST_CASE("Breaking every bond at once without load sets nothing in motion", "[d
   const double dt = 5e-7, speed = 1e-5;
   Scene scene = bond_scene(dt);
   scene.pairs.assign(4, {0.5, 0.25, 0});
-  NewRock rock = lattice_rock(0, 3, d, d / 4, 2600);
+  NewRock rock = lattice(0, 3, {.bond_radius = grain / 4});
   for (NewParticle& p : rock.particles) {
     p.position = spacing * p.position;
     p.velocity = speed * random_vector(p.id, 0);

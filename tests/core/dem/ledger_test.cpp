@@ -1,40 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The balance of energy and momentum with walls that move, and walls of different kinds.
+#include "app/verify/fixtures/gyrating_gap.hpp"
+#include "app/verify/fixtures/plate_crush.hpp"
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "tests/catch.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 using namespace gyro;
-using namespace gyro::test;
+using namespace gyro::fixtures;
 
 namespace {
 
-constexpr double d = 0.025;
-
 struct Crush {
-  double work, residual, released;
+  double work, residual, released;  ///< [J]
   std::int64_t broken;
 };
 
-/// A rock of 64 spheres between two plates that close at 2 m/s together.
 Crush crush(Precision precision, double dt) {
-  Scene scene = plain_scene(dt);
-  scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
-  scene.bonds = paper_bonds();
-  scene.bonds->damping = 0.05;
-  scene.bonds->tensile_strength = 3.6e6;
-  scene.bonds->shear_strength = 2.4e6;
-  std::vector<NewRock> rocks{
-      placed(lattice_rock(0, 4, d, d / 5, 2600), 0, 0, {0, 0, 0}, rotation_about({0.6, 0.8, 0}, 0.5))};
-  scatter_strength(rocks[0]);
-  double top = 0;
-  for (const NewParticle& p : rocks[0].particles) top = std::max(top, std::abs(p.position.z) + p.radius);
-  scene.walls = {{"top", PlaneShape{{0, 0, top}, {0, 0, -1}}, LinearMotion{{0, 0, -1}}, 1},
-                 {"bottom", PlaneShape{{0, 0, -top}, {0, 0, 1}}, LinearMotion{{0, 0, 1}}, 1}};
-  const auto dem = make_cpu_dem(scene, precision, 1);
-  dem->insert(rocks);
+  const PlateCrush crush(dt);
+  const auto dem = make_cpu_dem(crush.scene, precision, 1);
+  dem->insert(std::vector{crush.rock});
   std::int64_t step = 0;
-  run(*dem, dt, step, std::llround(0.008 / dt));
+  run(*dem, dt, step, std::llround(PlateCrush::duration / dt));
   const EnergyTerms e = dem->energy();
   return {e.wall_work, e.residual(), e.bond_breakage, dem->counts().broken_tension + dem->counts().broken_shear};
 }
@@ -54,15 +42,14 @@ TEST_CASE("The energies of a crushed rock add up to the work of the plates", "[d
   CHECK(std::abs(fine.residual) < 0.5 * std::abs(coarse.residual));
 }
 
-TEST_CASE("Walls feel the opposite of what the rock feels", "[dem][ledger]") {
+TEST_CASE("The forces on walls are opposite to those on the rock", "[dem][ledger]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = plain_scene(5e-6);
   scene.pairs.assign(4, {0.4, 0.3, 0.01});
-  scene.rolling = true;
   scene.walls = box({0.0445, 0.0445, 0.0445});
   scene.walls[0].motion = LinearMotion{{1, 0, 0}};
   const auto dem = make_cpu_dem(scene, precision, 1);
-  dem->insert(cloud(3, 3, 3, 0.029, 0.014, 3.0));
+  dem->insert(cloud({{3, 3, 3}, 0.029, 0.014, 3.0}));
   std::int64_t step = 0;
   run(*dem, scene.dt, step, 300);
   const int steps = 1000;
@@ -83,19 +70,15 @@ TEST_CASE("Walls feel the opposite of what the rock feels", "[dem][ledger]") {
 TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][walls]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 5e-6;
-  TriangleMesh mesh{{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  ProfileShape profile{{{0, 0}, {0.7, 0}, {3, 0}}};
+  const ProfileShape profile{{{0, 0}, {0.7, 0}, {3, 0}}};
   ParticleSnapshot first;
   WallLoad first_load;
   for (int kind = 0; kind < 3; ++kind) {
     Scene scene = plain_scene(dt);
     scene.gravity = {0, 0, -9.81};
     scene.pairs.assign(4, {0.4, 0.6, 0.01});
-    scene.rolling = true;
-    Wall floor{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1};
-    if (kind == 1) floor.shape = mesh;
-    if (kind == 2) floor.shape = profile;
-    scene.walls = {floor};
+    scene.walls = {kind == 1 ? floor_mesh(2) : floor_plane()};
+    if (kind == 2) scene.walls[0].shape = profile;
     const auto dem = make_cpu_dem(scene, precision, 1);
     const std::vector<NewRock> spheres{sphere(0, {0.3, 0.2, 0.0101}, {1, -0.4, -0.5}, 0.01, 2600, {5, 6, 7}),
                                        sphere(1, {-0.5, 0.2, 0.0202}, {0.1, 0.4, -0.1}, 0.02, 2600),
@@ -118,7 +101,7 @@ TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][w
   }
 }
 
-TEST_CASE("A smooth sphere swings in a horizontal tube as a pendulum", "[dem][walls]") {
+TEST_CASE("A smooth sphere oscillates in a horizontal tube as a pendulum", "[dem][walls]") {
   // The tube is a profile about z, gravity points along -x: a pendulum of length tube - radius.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 1e-5, tube = 0.1, radius = 0.02, g = 9.81, angle = 0.05;
@@ -133,7 +116,7 @@ TEST_CASE("A smooth sphere swings in a horizontal tube as a pendulum", "[dem][wa
   dem->insert(one);
   std::int64_t step = 0;
   double crossing = 0;
-  for (int crossings = 0; crossings < 5;) {  // five quarter-odd crossings: 2 1/4 periods
+  for (int crossings = 0; crossings < 5;) {  // the fifth crossing is after 2 1/4 periods
     const double y = dem->particles().position[0].y;
     run(*dem, dt, step, 10);
     const double now = dem->particles().position[0].y;
@@ -147,23 +130,14 @@ TEST_CASE("A smooth sphere swings in a horizontal tube as a pendulum", "[dem][wa
   CHECK(crossing == Approx(2.25 * period).epsilon(1e-3));
 }
 
-TEST_CASE("Work of a gyrating mantle is its torque times its speed, and the ledger has it", "[dem][ledger][walls]") {
+TEST_CASE("Work of a gyrating mantle is its torque times its speed, and the ledger contains it",
+          "[dem][ledger][walls]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 5e-6, speed = 60;
-  Scene scene = plain_scene(dt);
-  scene.pairs.assign(4, {0.3, 0.5, 0});
-  const GyrationMotion gyration{0.02, 2.0, 0};
-  scene.walls = {{"mantle", ProfileShape{{{0.10, 0.3}, {0.12, -0.3}}}, gyration, 1},
-                 {"concave", ProfileShape{{{0.17, -0.3}, {0.17, 0.3}}}, Fixed{}, 1}};
-  const auto dem = make_cpu_dem(scene, precision, 1);
-  std::vector<NewRock> spheres;
-  for (int k = 0; k < 12; ++k) {
-    const double a = 2 * M_PI * k / 12;
-    spheres.push_back(
-        sphere(static_cast<ParticleId>(k), {0.135 * std::cos(a), 0.135 * std::sin(a), 0}, {0, 0, 0}, 0.02, 2600));
-  }
-  dem->insert(spheres);
-  const double tilt = std::asin(gyration.eccentricity / gyration.pivot_height);
+  const GyratingGap gap(dt);
+  const auto dem = make_cpu_dem(gap.scene, precision, 1);
+  dem->insert(gap.spheres);
+  const double tilt = std::asin(GyratingGap::motion.eccentricity / GyratingGap::motion.pivot_height);
   const double sigma = speed * std::cos(tilt);  // locked to the eccentric: the spin is `speed` about z
   double work = 0, biggest = 0;
   for (int k = 0; k < 100; ++k) {

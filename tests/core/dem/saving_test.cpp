@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene that is saved and goes on elsewhere gives the bits of one that was never interrupted.
+// A scene that is saved and continued elsewhere has the bits of one that was never interrupted.
+#include "app/verify/fixtures/snapshots.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "tests/gpu/mirror.hpp"
 #include "tests/gpu/same_bits.hpp"
 
@@ -12,7 +14,7 @@ namespace {
 
 using Make = std::function<std::unique_ptr<Dem>()>;
 
-/// A scene that is put down and taken up by another solver before each window, the makers in turn.
+/// A scene that is saved and restored into another solver before each window; the makers take turns.
 class Restarting final : public Dem {
  public:
   explicit Restarting(std::vector<Make> makers) : makers_(std::move(makers)), dem_(makers_.front()()) {}
@@ -63,7 +65,7 @@ bool same_columns(const SavedState& a, const SavedState& b) {
       });
 }
 
-/// The scene amid its breaking.
+/// The scene while its rocks break.
 std::unique_ptr<Dem> busy(Precision precision) {
   auto dem = on_cpu(precision, 1)();
   dem->insert(falling_rocks(0, 0, 0.045));
@@ -74,19 +76,19 @@ std::unique_ptr<Dem> busy(Precision precision) {
 
 }  // namespace
 
-TEST_CASE("A run restarted before every window has the bits of one that was not", "[dem][bits]") {
+TEST_CASE("A run that is restarted before every window has the bits of one that is not", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   const int hold = GENERATE(1, 3);
   const Outcome whole = break_rocks(*on_cpu(precision, 1, hold)());
   require_busy(whole);
   Restarting restarting({on_cpu(precision, 1, hold), on_cpu(precision, 2, hold)});
   Outcome parts = break_rocks(restarting);
-  CHECK(parts.counts.rebuilds > whole.counts.rebuilds);  // neighbours are found anew: that changes no bit
+  CHECK(parts.counts.rebuilds > whole.counts.rebuilds);  // lists are rebuilt after a restart: that changes no bit
   parts.counts.rebuilds = whole.counts.rebuilds;
   check_same(whole, parts);
 }
 
-TEST_CASE("A saved state goes on with the same bits on another executor", "[dem][bits]") {
+TEST_CASE("A saved state continues with the same bits on another executor", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   DeviceMemory::instance().forget();
   const SavedState saved = busy(precision)->save();
@@ -100,14 +102,14 @@ TEST_CASE("A saved state goes on with the same bits on another executor", "[dem]
   CHECK(same_columns(cpu->save(), mirror->save()));
 }
 
-TEST_CASE("What is restored says and saves the same as what was saved", "[dem]") {
+TEST_CASE("A restored scene reports and saves the same as the one that was saved", "[dem]") {
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   const auto before = busy(precision), after = on_cpu(precision, 1)();
   const SavedState saved = before->save();
   after->restore(saved);
   REQUIRE(saved.get<Pair>("contacts/pair").size() > 5);
-  REQUIRE(saved.get<WallEntry>("walls/entry").size() > 2);
-  REQUIRE(!saved.get<SavedBreakage>("dem/breakages").empty());
+  REQUIRE(saved.get<WallEntry>("wall_contacts/entry").size() > 2);
+  REQUIRE(!saved.get<Breakage>("dem/breakages").empty());
   CHECK(same_columns(saved, after->save()));
   CHECK(same_bits(before->particles(), after->particles()));
   CHECK(same_bytes(std::vector{before->energy()}, std::vector{after->energy()}));
@@ -116,15 +118,15 @@ TEST_CASE("What is restored says and saves the same as what was saved", "[dem]")
   CHECK(same_breakages(before->take_breakages(), after->take_breakages()));
 }
 
-TEST_CASE("A state of the other precision, or with a column missing or short, is refused", "[dem]") {
+TEST_CASE("A state of the other precision, or with a column missing or too short, is refused", "[dem]") {
   SavedState saved = busy(Precision::mixed)->save();
   CHECK_THROWS_AS(on_cpu(Precision::double_, 1)()->restore(saved), BadInput);
   const auto dem = on_cpu(Precision::mixed, 1)();
   SavedState missing = saved, shorter = saved;
-  missing.columns().erase("particles/angular_motion");
-  CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/angular_motion"));
-  std::vector<Vec3d> places = shorter.get<Vec3d>("particles/listed_position");
-  places.pop_back();
-  shorter.put("particles/listed_position", places);
+  missing.columns().erase("particles/angular_motion/velocity");
+  CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/angular_motion/velocity"));
+  std::vector<Vec3d> positions = shorter.get<Vec3d>("particles/listed_position");
+  positions.pop_back();
+  shorter.put("particles/listed_position", positions);
   CHECK_THROWS_WITH(dem->restore(shorter), Catch::Matchers::Contains("rows of particles/listed_position"));
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contact and wall forces held over several steps of the bonds.
+#include "app/verify/fixtures/hertz.hpp"
+#include "app/verify/fixtures/plate_crush.hpp"
+#include "app/verify/fixtures/rocks.hpp"
+#include "app/verify/fixtures/scenes.hpp"
+#include "app/verify/fixtures/stage.hpp"
 #include "tests/catch.hpp"
-#include "tests/core/dem/scenes.hpp"
 
 #include "core/base/errors.hpp"
 
 using namespace gyro;
-using namespace gyro::test;
+using namespace gyro::fixtures;
 
 namespace {
 
@@ -15,12 +19,11 @@ namespace {
 double rebound(Precision precision, int hold, double held_steps, bool on_wall) {
   const Material material = elastic(1.5e9, 0.35, 2600);
   const double radius = 0.01, speed = 1;
-  const Impact impact(material, radius, speed);
-  Scene scene = plain_scene(impact.duration / held_steps / hold);
+  Scene scene = plain_scene(impact_on_wall(material, radius, speed).duration / held_steps / hold);
   scene.materials[0] = material;
   scene.materials[1] = rigid();
   scene.substeps = hold;
-  scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
+  scene.walls = {floor_plane()};
   const auto dem = make_cpu_dem(scene, precision, 1);
   std::vector<NewRock> rocks{sphere(0, {0, 0, 1.2 * radius}, {0, 0, -speed}, radius, material.density)};
   if (!on_wall) {
@@ -36,38 +39,25 @@ double rebound(Precision precision, int hold, double held_steps, bool on_wall) {
 }
 
 struct Crush {
-  double work, residual;
+  double work, residual;  ///< [J]
   std::int64_t broken;
 };
 
-/// A rock between plates that close, all but the hold as in ledger_test.cpp.
+/// @param hold  steps over which contact forces are held
 Crush crush(int hold, double dt) {
-  Scene scene = plain_scene(dt);
-  scene.pairs.assign(4, {0.5, 0.25, 0.02});
-  scene.rolling = true;
-  scene.substeps = hold;
-  scene.bonds = paper_bonds();
-  scene.bonds->damping = 0.05;
-  scene.bonds->tensile_strength = 3.6e6;
-  scene.bonds->shear_strength = 2.4e6;
-  std::vector<NewRock> rocks{
-      placed(lattice_rock(0, 4, 0.025, 0.005, 2600), 0, 0, {0, 0, 0}, rotation_about({0.6, 0.8, 0}, 0.5))};
-  scatter_strength(rocks[0]);
-  double top = 0;
-  for (const NewParticle& p : rocks[0].particles) top = std::max(top, std::abs(p.position.z) + p.radius);
-  scene.walls = {{"top", PlaneShape{{0, 0, top}, {0, 0, -1}}, LinearMotion{{0, 0, -1}}, 1},
-                 {"bottom", PlaneShape{{0, 0, -top}, {0, 0, 1}}, LinearMotion{{0, 0, 1}}, 1}};
-  const auto dem = make_cpu_dem(scene, Precision::double_, 1);
-  dem->insert(rocks);
+  PlateCrush crush(dt);
+  crush.scene.substeps = hold;
+  const auto dem = make_cpu_dem(crush.scene, Precision::double_, 1);
+  dem->insert(std::vector{crush.rock});
   std::int64_t step = 0;
-  run(*dem, dt, step, std::llround(0.008 / dt / 80) * 80, 400);
+  run(*dem, dt, step, std::llround(PlateCrush::duration / dt / 80) * 80, 400);
   const EnergyTerms e = dem->energy();
   return {e.wall_work, e.residual(), dem->counts().broken_tension + dem->counts().broken_shear};
 }
 
 }  // namespace
 
-TEST_CASE("Held forces neither heat nor cool an elastic impact", "[dem][hold]") {
+TEST_CASE("Held forces neither add nor remove energy in an elastic impact", "[dem][hold]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   for (const bool on_wall : {true, false})
     for (const int hold : {1, 2, 4, 8}) {
@@ -76,7 +66,7 @@ TEST_CASE("Held forces neither heat nor cool an elastic impact", "[dem][hold]") 
     }
 }
 
-TEST_CASE("Held forces are a leapfrog with the step of the hold", "[dem][hold]") {
+TEST_CASE("Held forces act as a leapfrog with the step of the hold", "[dem][hold]") {
   // So the error of an impact depends on the hold alone, not on how many steps it has.
   const double whole = rebound(Precision::double_, 1, 12, true);
   REQUIRE(std::abs(whole - 1) > 1e-6);
@@ -84,7 +74,7 @@ TEST_CASE("Held forces are a leapfrog with the step of the hold", "[dem][hold]")
     CHECK(rebound(Precision::double_, hold, 12, true) == Approx(1).margin(3 * std::abs(whole - 1)));
 }
 
-TEST_CASE("A rock crushed with held forces breaks alike, and its energies add up", "[dem][hold][ledger]") {
+TEST_CASE("A rock crushed with held forces breaks as without, and its energies add up", "[dem][hold][ledger]") {
   const double dt = 2e-6;
   const Crush each = crush(1, dt);
   for (const int hold : {2, 4, 8}) {
@@ -97,7 +87,7 @@ TEST_CASE("A rock crushed with held forces breaks alike, and its energies add up
   }
 }
 
-TEST_CASE("A window that is no whole number of holds is refused", "[dem][hold]") {
+TEST_CASE("A window that is not a whole number of holds is refused", "[dem][hold]") {
   Scene scene = plain_scene(1e-6);
   scene.substeps = 4;
   const auto dem = make_cpu_dem(scene, Precision::mixed, 1);

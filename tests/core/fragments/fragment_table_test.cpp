@@ -40,7 +40,7 @@ TEST_CASE("A fragment table keeps every particle and all mass", "[fragments]") {
   CHECK(std::abs(total / (170 * sphere) - 1) < 1e-12);
 }
 
-TEST_CASE("Fragments whose particles are mixed in the snapshot are told apart", "[fragments]") {
+TEST_CASE("Fragments whose particles are mixed in the snapshot are separated", "[fragments]") {
   ParticleSnapshot p;
   add_fragment(p, block(6, 1, 1, R), R, density, {0, 0, 0});
   p.fragment = {0, 1, 0, 1, 4, 0};

@@ -68,7 +68,7 @@ TEST_CASE("Only whole fragments below the removal depth may be removed", "[produ
   CHECK(product.row(0).particles + product.inside(p) == 5);
 }
 
-TEST_CASE("Passing sizes are read between sieves on the logarithm", "[product]") {
+TEST_CASE("Passing sizes are interpolated between sieves on a logarithmic scale", "[product]") {
   const std::vector<double>& sieves = sieve_series();
   CHECK(sieves[14] == Approx(0.125));
   CHECK(sieves.back() == Approx(1.0));
@@ -88,7 +88,7 @@ TEST_CASE("Passing sizes are read between sieves on the logarithm", "[product]")
   CHECK(!passing_size(std::vector<double>(sieves.size(), 1.0), 0.8));  // all finer than the finest sieve
 }
 
-TEST_CASE("A product account goes on from its state", "[product]") {
+TEST_CASE("A product continues from its saved state", "[product]") {
   ParticleSnapshot p;
   for (int k = 0; k < 10; ++k)
     add_fragment(p, block(1 + k, 1, 1, 0.01), 0.01, rock_density, {0.0, 1.0 * k, 0.1 * k + 0.05});
@@ -106,7 +106,7 @@ TEST_CASE("A product account goes on from its state", "[product]") {
   CHECK(!Product(rock_density).row(0).p80);
 }
 
-TEST_CASE("Shares below a size undo sizes of a share", "[product]") {
+TEST_CASE("The share below a size is the inverse of the size of a share", "[product]") {
   std::vector<double> passing(sieve_series().size(), 1.0);
   for (std::size_t k = 0; k < passing.size(); ++k)
     passing[k] = static_cast<double>(k) / (static_cast<double>(passing.size()) - 1);
@@ -117,7 +117,7 @@ TEST_CASE("Shares below a size undo sizes of a share", "[product]") {
   CHECK(passing_at(passing, sieve_series()[3]) == Approx(passing[3]).epsilon(1e-12));
 }
 
-TEST_CASE("The hold-up is what has not been discharged, with the sizes of a fresh analysis", "[product]") {
+TEST_CASE("The hold-up is the rock not yet discharged, with the sizes of a new analysis", "[product]") {
   ParticleSnapshot p;
   add_fragment(p, block(2, 3, 5, 0.01), 0.01, rock_density, {0, 0, 0.5});
   add_fragment(p, block(1, 1, 3, 0.01), 0.01, rock_density, {1, 0, 0.5});

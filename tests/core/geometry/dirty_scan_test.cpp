@@ -166,7 +166,7 @@ TEST_CASE("What is beyond repair is refused with the reason") {
     band.triangles.push_back({b, d, c});
   }
   refused(band, "only one side");
-  TriangleMesh sheet = scan();
-  for (Vec3d& v : sheet.vertices) v.z = 0;
-  refused(sheet, "encloses no volume");
+  TriangleMesh flat = scan();
+  for (Vec3d& v : flat.vertices) v.z = 0;
+  refused(flat, "encloses no volume");
 }

@@ -26,7 +26,7 @@ double along(const BondLaw<double>& law, double u, double v) {
   e.j.x += u;
   return loaded(law, e, {{v, 0, 0}, {0, 0, 0}, {0, 0, 0}}).force.x;
 }
-/// The ends do not turn, as if their inertia were infinite.
+/// The ends do not rotate, as if their inertia were infinite.
 double across(const BondLaw<double>& law, double u, double v) {
   Ends e;
   e.j.y += u;
@@ -82,7 +82,7 @@ TEST_CASE("Each mode of a bond decays at its fraction of critical", "[laws][bond
   }
 }
 
-TEST_CASE("Booked damping is the work of the damping loads", "[laws][bond]") {
+TEST_CASE("The damping that a bond reports is the work of the damping loads", "[laws][bond]") {
   BondLaw<double> law = paper_law();
   law.damping = 0.07;
   for (std::uint64_t k = 0; k < 20; ++k) {

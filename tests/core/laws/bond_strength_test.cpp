@@ -46,7 +46,7 @@ TEST_CASE("Stiffness of each mode of a bond", "[laws][bond]") {
   CHECK(load_of(twisted(angle)).elastic == Approx(0.5 * twist_rate * angle * angle).epsilon(1e-6));
 }
 
-TEST_CASE("A sheared bond turns its ends by half the couple each", "[laws][bond]") {
+TEST_CASE("A sheared bond loads each end with half the couple", "[laws][bond]") {
   const BondLoad<double> load = load_of(sheared(1e-6));
   CHECK(load.torque_i.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
   CHECK(load.torque_j.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
@@ -75,7 +75,7 @@ TEST_CASE("A bond fails at its strength in each mode", "[laws][bond]") {
   CHECK(std::abs(twist.tension_ratio) < 1e-9);
 }
 
-TEST_CASE("Combined loads fail on straight lines, and compression strengthens", "[laws][bond]") {
+TEST_CASE("Bonds fail on a straight line between two loads, and compression strengthens them", "[laws][bond]") {
   const double share = GENERATE(0.1, 0.5, 0.9);
   Ends pulled = bent((1 - share) * 4.311377e-3);
   pulled.j.x += share * 21.5569e-6;
@@ -83,9 +83,9 @@ TEST_CASE("Combined loads fail on straight lines, and compression strengthens", 
   CHECK(a.tension_ratio == Approx(1).epsilon(1e-5));
   CHECK(-a.force.x / 2827.433 + norm(a.torque_j) / 3.534292 == Approx(1).epsilon(1e-5));
 
-  Ends turned_and_sheared = twisted((1 - share) * 7.196402e-3);
-  turned_and_sheared.j.y += share * 35.9820e-6;
-  const BondLoad<double> b = load_of(turned_and_sheared);
+  Ends twisted_and_sheared = twisted((1 - share) * 7.196402e-3);
+  twisted_and_sheared.j.y += share * 35.9820e-6;
+  const BondLoad<double> b = load_of(twisted_and_sheared);
   CHECK(b.shear_ratio == Approx(1).epsilon(1e-5));
 
   Ends pressed = bent(4.311377e-3);

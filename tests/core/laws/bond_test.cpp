@@ -39,7 +39,7 @@ Gradient gradient(const Ends& ends, double arm) {
   return {v(f_i), v(f_j), v(m_i), v(m_j)};
 }
 
-/// Largest difference of loads and gradient, moments measured in units of force x length.
+/// Largest difference of loads and gradient, torques divided by the length of the bond.
 double mismatch(const Ends& ends, double arm) {
   const BondLoad<double> load = load_of(ends, paper_law(), arm);
   const Gradient g = gradient(ends, arm);
@@ -80,24 +80,24 @@ TEST_CASE("A bond gives and takes no angular momentum", "[laws][bond]") {
   }
 }
 
-TEST_CASE("A bond does not see rigid rotations", "[laws][bond]") {
+TEST_CASE("A rigid rotation changes no load of a bond", "[laws][bond]") {
   const double arm = GENERATE(0.5, 0.3);
   BondLaw<double> law = paper_law();
   law.damping = 0.1;
   for (std::uint64_t k = 0; k < 50; ++k) {
     const Ends ends = strained(k, 4e-3);
     const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
-    const Quatd q = random_turn(k, 30);
+    const Quatd q = random_orientation(k, 30);
     const BondEnds<double> here{ends.j - ends.i, ends.orientation_i, ends.orientation_j};
     const BondEnds<double> there{rotate(q, here.span), q * here.orientation_i, q * here.orientation_j};
     const BondRates<double> rates_there{rotate(q, rates.velocity), rotate(q, rates.angular_velocity_i),
                                         rotate(q, rates.angular_velocity_j)};
     const BondLoad<double> a = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), here), rates);
     const BondLoad<double> b = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), there), rates_there);
-    const double force = norm(a.force) + 1884.956, moment = norm(a.torque_i) + norm(a.torque_j) + 3.534;
+    const double force = norm(a.force) + 1884.956, torque = norm(a.torque_i) + norm(a.torque_j) + 3.534;
     CHECK(distance(rotate(q, a.force), b.force) < 2e-12 * force);
-    CHECK(distance(rotate(q, a.torque_i), b.torque_i) < 2e-12 * moment);
-    CHECK(distance(rotate(q, a.torque_j), b.torque_j) < 2e-12 * moment);
+    CHECK(distance(rotate(q, a.torque_i), b.torque_i) < 2e-12 * torque);
+    CHECK(distance(rotate(q, a.torque_j), b.torque_j) < 2e-12 * torque);
     CHECK(std::abs(a.tension_ratio - b.tension_ratio) < 2e-12 * (1 + std::abs(a.tension_ratio)));
     CHECK(std::abs(a.shear_ratio - b.shear_ratio) < 2e-12 * (1 + a.shear_ratio));
     CHECK(std::abs(a.elastic - b.elastic) < 4e-12 * (1 + a.elastic));
@@ -109,7 +109,7 @@ TEST_CASE("A rigid motion loads no bond and is not damped", "[laws][bond]") {
   law.damping = 0.3;
   for (std::uint64_t k = 0; k < 20; ++k) {
     const double arm = 0.5 + 0.4 * random_number(k, 40);
-    const Quatd q = random_turn(k, 0);
+    const Quatd q = random_orientation(k, 0);
     Ends ends;
     ends.j = rotate(q, ends.j);
     ends.orientation_i = ends.orientation_j = q;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/verify/fixtures/random.hpp"
 #include "core/laws/bond.hpp"
-#include "core/math/random.hpp"
 
 #include <cmath>
 
-// Bonds that several tests share: two particles of 25 mm, a bond of 5 mm radius, the paper's stiffness.
+// A bond for the tests of its law: two particles of 25 mm, a radius of 5 mm, the paper's stiffness.
 
 namespace gyro::test {
+
+using namespace fixtures;
 
 inline constexpr double bond_length = 0.025, bond_radius = 0.005;
 inline constexpr double normal_rate = 1.311615e8;  ///< kn A [N/m]
@@ -35,22 +37,9 @@ inline BondRates<double> at_rest() {
   return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
 }
 
-/// Number in (-1, 1), the same for the same arguments.
-inline double random_number(std::uint64_t thing, std::uint32_t draw) {
-  return 2 * uniform(7, Stream::shape, thing, draw) - 1;
-}
-inline Vec3d random_vector(std::uint64_t thing, std::uint32_t draw) {
-  return {random_number(thing, draw), random_number(thing, draw + 1), random_number(thing, draw + 2)};
-}
-inline Quatd random_turn(std::uint64_t thing, std::uint32_t draw) {
+inline Quatd random_orientation(std::uint64_t thing, std::uint32_t draw) {
   const Vec3d v = random_vector(thing, draw);
   return normalised(Quatd{random_number(thing, draw + 3), v.x, v.y, v.z});
-}
-
-/// Rotation by a vector: its direction is the axis, its size the angle.
-inline Quatd rotation_by(const Vec3d& r) {
-  const double angle = norm(r);
-  return angle > 0 ? rotation_about((1 / angle) * r, angle) : Quatd{1, 0, 0, 0};
 }
 
 /// Two ends of a bond.
@@ -72,10 +61,10 @@ inline BondLoad<double> load_of(const Ends& ends, const BondLaw<double>& law = p
   return bond_load(law, paper_section(arm), strain_of(ends, arm), at_rest());
 }
 
-/// Ends anywhere in space, turned anyhow, with stretch, shear and relative turn of size `strain`.
+/// Ends at any position and orientation, with stretch, shear and relative rotation of size `strain`.
 inline Ends strained(std::uint64_t thing, double strain) {
   Ends e;
-  const Quatd all = random_turn(thing, 0);
+  const Quatd all = random_orientation(thing, 0);
   e.i = random_vector(thing, 4);
   const Vec3d off = strain * bond_length * random_vector(thing, 7);
   e.j = e.i + rotate(all, Vec3d{bond_length, 0, 0} + Vec3d{0.2 * off.x, off.y, off.z});

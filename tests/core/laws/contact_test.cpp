@@ -3,8 +3,8 @@
 #include "tests/catch.hpp"
 #include "tests/core/laws/bonds.hpp"
 
-#include "core/laws/hertz_mindlin.hpp"
-#include "core/laws/restitution.hpp"
+#include "core/laws/contact/models.hpp"
+#include "core/laws/contact/restitution.hpp"
 
 using namespace gyro;
 using namespace gyro::test;
@@ -13,8 +13,14 @@ namespace {
 
 constexpr double youngs = 8.6e8, shear = 1.7e8, radius = 0.005, mass = 0.002;
 
-ContactLaw<double> elastic_law() {
-  return {youngs, shear, 0, 0.5, 0, 1e-6};
+ContactConstants<double> elastic_law() {
+  return {youngs, shear, 0, 0.5, 0, 1e-6, 1};
+}
+/// The law of a case that names none.
+ContactLoad<double> hertz_mindlin(const ContactConstants<double>& law, const ContactMotion<double>& c,
+                                  const ContactHistory<double>& history) {
+  ExtraHistory<double> none{};
+  return ContactLaw<Hertz, ConstantRolling>::load(law, c, history, none);
 }
 ContactMotion<double> resting(double overlap) {
   return {{0, 0, 1}, overlap, {0, 0, 0}, {0, 0, 0}, radius, mass, 2e-8, radius};
@@ -24,7 +30,7 @@ double hertz(double overlap) {
 }
 
 /// Loads of a contact that was the same a step ago, but for what its spring remembers.
-ContactLoad<double> lasting(const ContactLaw<double>& law, const ContactMotion<double>& c,
+ContactLoad<double> lasting(const ContactConstants<double>& law, const ContactMotion<double>& c,
                             const Vec3d& elastic = {0, 0, 0}, double overlap = 0) {
   ContactHistory<double> history{elastic, overlap, {0, 0, 0}};
   history.drag = hertz_mindlin(law, c, history).history.drag;
@@ -33,7 +39,7 @@ ContactLoad<double> lasting(const ContactLaw<double>& law, const ContactMotion<d
 
 /// A contact that is moved along a path, with the work done against its tangential force.
 struct Path {
-  ContactLaw<double> law = elastic_law();
+  ContactConstants<double> law = elastic_law();
   ContactHistory<double> history{};
   double work = 0, lost = 0, smallest_loss = 0;
 
@@ -56,7 +62,7 @@ struct Path {
 }  // namespace
 
 TEST_CASE("Normal force is Hertz's plus damping, and never pulls", "[laws][contact]") {
-  ContactLaw<double> law = elastic_law();
+  ContactConstants<double> law = elastic_law();
   law.damping = 0.6;
   for (const double overlap : {1e-6, 1e-5, 1e-4}) {
     CHECK(-lasting(law, resting(overlap)).force.z == Approx(hertz(overlap)).epsilon(1e-12));
@@ -73,8 +79,9 @@ TEST_CASE("Normal force is Hertz's plus damping, and never pulls", "[laws][conta
   }
 }
 
-TEST_CASE("Work of the damping force is booked half with the step's begin, half with its end", "[laws][contact]") {
-  ContactLaw<double> law = elastic_law();
+TEST_CASE("The work of the damping force is half that at the begin of the step and half that at its end",
+          "[laws][contact]") {
+  ContactConstants<double> law = elastic_law();
   law.damping = 0.6;
   ContactMotion<double> c = resting(1e-5);
   c.velocity = {0.002, 0, 0.03};
@@ -91,8 +98,9 @@ TEST_CASE("Stored energy of a contact is the work of Hertz's force", "[laws][con
   double work = 0;
   const int steps = 20000;
   for (int k = 0; k < steps; ++k) work += hertz((k + 0.5) * depth / steps) * depth / steps;
-  CHECK(contact_energy(elastic_law(), radius, depth, {0, 0, 0}) == Approx(work).epsilon(1e-6));
-  CHECK(contact_energy(elastic_law(), radius, depth, {3, 4, 0}) - work ==
+  CHECK(contact_energy<double>({}, elastic_law(), radius, {{0, 0, 0}, depth, {0, 0, 0}}, nullptr) ==
+        Approx(work).epsilon(1e-6));
+  CHECK(contact_energy<double>({}, elastic_law(), radius, {{3, 4, 0}, depth, {0, 0, 0}}, nullptr) - work ==
         Approx(25 / (16 * shear * std::sqrt(radius * depth))).epsilon(1e-3));
 }
 
@@ -109,7 +117,7 @@ TEST_CASE("A sticking contact is Mindlin's spring, a sliding one is Coulomb's li
   CHECK(norm(path.history.elastic) == Approx(limit).epsilon(1e-14));
 
   // With damping and sliding the whole tangential force is the limit.
-  ContactLaw<double> law = elastic_law();
+  ContactConstants<double> law = elastic_law();
   law.damping = 0.7;
   ContactMotion<double> c = resting(overlap);
   c.velocity = {0.5, 0.2, 0.01};
@@ -117,7 +125,7 @@ TEST_CASE("A sticking contact is Mindlin's spring, a sliding one is Coulomb's li
   CHECK(norm(tangential(load.force, c.normal)) == Approx(0.5 * -load.force.z).epsilon(1e-14));
 }
 
-TEST_CASE("The memory follows the tangent plane at equal size", "[laws][contact]") {
+TEST_CASE("The tangential spring follows the tangent plane and keeps its length", "[laws][contact]") {
   ContactMotion<double> c = resting(1e-5);
   const Vec3d before{0.01, 0, 0};
   c.normal = {std::sin(0.1), 0, std::cos(0.1)};
@@ -145,8 +153,8 @@ TEST_CASE("Load, shear, unload, shear back creates no energy", "[laws][contact]"
   CHECK(path.smallest_loss > -1e-12 * path.work);
 }
 
-TEST_CASE("Damping of any contact takes energy", "[laws][contact]") {
-  ContactLaw<double> law = elastic_law();
+TEST_CASE("Damping takes energy from any contact", "[laws][contact]") {
+  ContactConstants<double> law = elastic_law();
   law.damping = 0.7;
   for (std::uint64_t k = 0; k < 300; ++k) {
     ContactMotion<double> c = resting(1e-5 * (1.2 + random_number(k, 0)));
@@ -158,8 +166,8 @@ TEST_CASE("Damping of any contact takes energy", "[laws][contact]") {
   }
 }
 
-TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest what balances spin and friction", "[laws][contact]") {
-  ContactLaw<double> law = elastic_law();
+TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest as much as stops spin and friction", "[laws][contact]") {
+  ContactConstants<double> law = elastic_law();
   law.rolling = 0.05;
   ContactMotion<double> c = resting(1e-5);
   c.angular_velocity = {300, 400, 70};  // the part about the normal does not roll

@@ -86,8 +86,8 @@ TEMPLATE_TEST_CASE("A pack of bonds has the loads of single bonds, bit by bit", 
       put(rates.velocity, k, c.rates.velocity), put(rates.angular_velocity_i, k, c.rates.angular_velocity_i);
       put(rates.angular_velocity_j, k, c.rates.angular_velocity_j);
     }
-    const BondLoad<P> intact = bond_load(spread_law<P>(law), section, strain, rates);
-    const PressedLoad<P> loose = pressed_load(spread_law<P>(law), section, strain, rates);
+    const BondLoad<P> intact = bond_load(cast<P>(law), section, strain, rates);
+    const PressedLoad<P> loose = pressed_load(cast<P>(law), section, strain, rates);
     for (int k = 0; k < lanes; ++k) {
       const Case<T> c = some_bond<T>(first + static_cast<std::uint64_t>(k));
       const BondStrain<T> s = narrowed<T>(c.strain);

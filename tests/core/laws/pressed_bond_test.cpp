@@ -8,7 +8,7 @@ using namespace gyro::test;
 
 namespace {
 
-/// Ends pressed together (stretch < 0) with shear and turn.
+/// Ends pressed together (stretch < 0), with shear and rotation.
 Ends pressed(std::uint64_t k) {
   Ends e = strained(k, 2e-3);
   const Vec3d d = e.j - e.i;
@@ -31,7 +31,7 @@ TEST_CASE("Failure in compression keeps the normal force", "[laws][bond]") {
   }
 }
 
-TEST_CASE("An unglued bond never pulls and keeps to Coulomb's limit", "[laws][bond]") {
+TEST_CASE("A broken bond that is still pressed never pulls and stays within Coulomb's limit", "[laws][bond]") {
   BondLaw<double> law = paper_law();
   law.damping = 0.05;
   int slipping = 0, pushing = 0;
@@ -56,11 +56,11 @@ TEST_CASE("An unglued bond never pulls and keeps to Coulomb's limit", "[laws][bo
   CHECK(pushing > 50);
 }
 
-TEST_CASE("Slip of an unglued bond turns stored energy into heat, no more and no less", "[laws][bond]") {
+TEST_CASE("Slip of a broken pressed bond dissipates exactly the energy that it stored", "[laws][bond]") {
   for (std::uint64_t k = 0; k < 50; ++k) {
     const BondStrain<double> strain = strain_of(pressed(k));
     const PressedLoad<double> u = pressed_load(paper_law(), paper_section(), strain, at_rest());
-    // The glued bond's own: but for the cosine of the shear angle the same spring.
+    // Energy of the intact bond, whose spring is the same but for the cosine of the shear angle.
     const double before = 0.5 * normal_rate * strain.stretch * strain.stretch +
                           0.5 * shear_rate * bond_length * bond_length * norm2(strain.shear);
     CHECK(u.load.elastic + u.slip_work == Approx(before).epsilon(1e-5));
@@ -68,7 +68,7 @@ TEST_CASE("Slip of an unglued bond turns stored energy into heat, no more and no
   }
 }
 
-TEST_CASE("Sliding heats by friction times way, whatever the step", "[laws][bond]") {
+TEST_CASE("Sliding dissipates friction times path, whatever the step", "[laws][bond]") {
   // Pressed by 10 um and drawn sideways by 30 um, then pulled off: the work of the shear force closes.
   const int steps = GENERATE(100, 1000);
   BondLaw<double> law = paper_law();
@@ -100,7 +100,7 @@ TEST_CASE("Sliding heats by friction times way, whatever the step", "[laws][bond
   CHECK(off.load.elastic == 0);
 }
 
-TEST_CASE("Ends that slide past each other without pressing lose nothing", "[laws][bond]") {
+TEST_CASE("Ends that slide past each other without pressure dissipate nothing", "[laws][bond]") {
   // At 1.1 L0, as where spheres were packed with an overlap. The spring at L0 would book -0.09 of `scale` a step.
   BondLaw<double> law = paper_law();
   const double speed = 1, dt = 1e-6, length = 1.1 * bond_length, scale = shear_rate * dt * dt * speed * speed;

@@ -33,7 +33,7 @@ WallPose moved(decltype(Wall::motion) motion, double time) {
 
 }  // namespace
 
-TEST_CASE("gyration: velocity is the derivative of the pose") {
+TEST_CASE("The velocity of a gyration is the derivative of its pose") {
   const double speed = 3.1;
   const double spin = GENERATE(0.0, -0.37, 2.9);
   const double time = GENERATE(0.0, 0.4, 7.3);
@@ -41,7 +41,7 @@ TEST_CASE("gyration: velocity is the derivative of the pose") {
   CHECK(velocity_error(pose, time) < 1e-9);
 }
 
-TEST_CASE("gyration: the lower end leans towards the eccentric angle, the pivot stays") {
+TEST_CASE("In a gyration the lower end leans towards the eccentric angle and the pivot is at rest") {
   const double angle = GENERATE(0.0, 1.0, 2.5, -2.0);
   const WallPose pose = gyration_pose({0.0217, 4.2, 0}, {angle, 1, 0.3, 0});
   const Vec3d pivot = to_world(pose, {0, 0, 4.2});
@@ -52,14 +52,14 @@ TEST_CASE("gyration: the lower end leans towards the eccentric angle, the pivot 
   CHECK(norm(rotate(pose.orientation, Vec3d{0, 0, 1}) - mantle_axis(crusher, angle)) < 1e-15 * 4);
 }
 
-TEST_CASE("gyration: lift moves the body along its axis") {
+TEST_CASE("In a gyration the lift moves the body along its axis") {
   const MantleState state{0.9, 2, 0.1, 0.2};
   const Vec3d low = to_world(gyration_pose({0.0217, 4.2, 0}, state), {0.1, 0.2, 0.3});
   const Vec3d lifted = to_world(gyration_pose({0.0217, 4.2, 0.05}, state), {0.1, 0.2, 0.3});
   CHECK(norm(lifted - low - 0.05 * mantle_axis(crusher, 0.9)) < 1e-15 * 8);
 }
 
-TEST_CASE("gyration: locked to the eccentric, the whole body turns about z") {
+TEST_CASE("A mantle locked to the eccentric rotates about z as a whole") {
   const double speed = 16.755, cos_tilt = mantle_axis(crusher, 0).z;
   const WallPose pose = gyration_pose(crusher, {1.1, speed, 1.1 * cos_tilt, speed * cos_tilt});
   CHECK(norm(pose.angular_velocity - Vec3d{0, 0, speed}) < 1e-13);
@@ -68,7 +68,7 @@ TEST_CASE("gyration: locked to the eccentric, the whole body turns about z") {
   CHECK(std::abs(x.x * std::sin(1.1) - x.y * std::cos(1.1)) < 1e-14);
 }
 
-TEST_CASE("gyration: without own spin the body turns by the solid angle of the axis' cone") {
+TEST_CASE("A mantle without spin rotates by the solid angle of the cone of its axis") {
   const double drift = 1 - mantle_axis(crusher, 0).z;
   const Vec3d start = rotate(gyration_pose(crusher, {0, 1, 0, 0}).orientation, Vec3d{1, 0, 0});
   const Vec3d after = rotate(gyration_pose(crusher, {2 * pi, 1, 0, 0}).orientation, Vec3d{1, 0, 0});
@@ -86,7 +86,7 @@ TEST_CASE("M9: the mantle returns to its start after 1e6 gyrations") {
   CHECK(worst < 1e-9);
 }
 
-TEST_CASE("motions: velocity is the derivative of the pose") {
+TEST_CASE("The velocity of each motion is the derivative of its pose") {
   const double time = GENERATE(0.0, 0.013, 2.1);
   const Vec3d axis = 1 / std::sqrt(14.0) * Vec3d{1, 2, 3};
   CHECK(velocity_error([](double t) { return moved(LinearMotion{{0.1, -2, 3}}, t); }, time) < 1e-9);
@@ -95,7 +95,7 @@ TEST_CASE("motions: velocity is the derivative of the pose") {
   CHECK(velocity_error([](double t) { return moved(Fixed{}, t); }, time) == 0);
 }
 
-TEST_CASE("circular motion starts at the drawn place and closes") {
+TEST_CASE("A circular motion starts at the drawn position and returns to it") {
   const CircularMotion circle{0.01, 0.05};
   CHECK(norm(moved(circle, 0).origin) == 0);
   const WallPose quarter = moved(circle, 0.0125), half = moved(circle, 0.025);
@@ -110,7 +110,7 @@ TEST_CASE("M7: a rotating wall moves with omega x r") {
   CHECK(norm(v - Vec3d{-4, 3, 0}) < 1e-10);
 }
 
-TEST_CASE("motions that make no sense are refused") {
+TEST_CASE("Motions with impossible parameters are refused") {
   const auto check = [](decltype(Wall::motion) motion) { check_motion(Wall{"w", PlaneShape{}, std::move(motion)}); };
   CHECK_NOTHROW(check(crusher));
   CHECK_THROWS_AS(check(RotationMotion{{0, 0, 0}, {0, 0, 0}, 1}), BadInput);
@@ -120,7 +120,7 @@ TEST_CASE("motions that make no sense are refused") {
   CHECK_THROWS_AS(check(LinearMotion{{NAN, 0, 0}}), BadInput);
 }
 
-TEST_CASE("a window's path gives the state in between") {
+TEST_CASE("The path of a window gives the state at any time in it") {
   const MantleState s = mantle_at(MantlePath{1, 16, 2, -0.4}, 0.25);
   CHECK(s.angle == 5);
   CHECK(s.speed == 16);

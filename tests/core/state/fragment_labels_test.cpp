@@ -1,66 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/fragment_labels.hpp"
+#include "app/verify/fixtures/graphs.hpp"
 #include "core/math/random.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 using namespace gyro;
+using namespace gyro::fixtures;
 
 namespace {
-
-struct Graph {
-  Index particles;
-  std::vector<Index> i, j;
-  void join(Index a, Index b) {
-    i.push_back(a);
-    j.push_back(b);
-  }
-};
-
-/// The arbiter: union-find with path halving, labels by smallest index.
-std::vector<Index> union_find(const Graph& g) {
-  std::vector<Index> parent(static_cast<std::size_t>(g.particles));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](Index a) {
-    auto& p = parent;
-    while (p[static_cast<std::size_t>(a)] != a) {
-      p[static_cast<std::size_t>(a)] = p[static_cast<std::size_t>(p[static_cast<std::size_t>(a)])];
-      a = p[static_cast<std::size_t>(a)];
-    }
-    return a;
-  };
-  for (std::size_t b = 0; b < g.i.size(); ++b) {
-    const Index u = find(g.i[b]), v = find(g.j[b]);
-    parent[static_cast<std::size_t>(std::max(u, v))] = std::min(u, v);
-  }
-  std::vector<Index> label(parent.size());
-  for (std::size_t a = 0; a < label.size(); ++a) label[a] = find(static_cast<Index>(a));
-  return label;
-}
-
-Index pick(Index n, std::uint64_t seed, std::uint64_t thing, std::uint32_t draw) {
-  return std::min(n - 1, static_cast<Index>(uniform(seed, Stream::shape, thing, draw) * n));
-}
-
-/// A random order of 0 ... n-1.
-std::vector<Index> shuffled(Index n, std::uint64_t seed) {
-  std::vector<Index> order(static_cast<std::size_t>(n));
-  std::iota(order.begin(), order.end(), 0);
-  for (Index k = n - 1; k > 0; --k) {
-    std::swap(order[static_cast<std::size_t>(k)],
-              order[static_cast<std::size_t>(pick(k + 1, seed, std::uint64_t(k), 9))]);
-  }
-  return order;
-}
-
-/// A chain whose particles are numbered in the given order along it.
-Graph chain(const std::vector<Index>& order) {
-  Graph g{static_cast<Index>(order.size()), {}, {}};
-  for (std::size_t k = 1; k < order.size(); ++k) g.join(order[k - 1], order[k]);
-  return g;
-}
 
 std::vector<Index> labels(const Graph& g) {
   return fragment_labels(g.particles, g.i, g.j);
@@ -89,25 +38,24 @@ int hook_rounds(const Graph& g) {
 
 TEST_CASE("Rounds of hooking grow as the logarithm of a chain", "[fragments]") {
   const Index n = GENERATE(2, 1000, 1000000);
-  std::vector<Index> order(static_cast<std::size_t>(n));
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<Index> order = in_order(n);
   SECTION("numbered along the chain") {}
   SECTION("numbered against it") {
     std::reverse(order.begin(), order.end());
   }
   SECTION("numbered at random") {
-    order = shuffled(n, 5);
+    order = shuffled(n);
   }
   SECTION("low and high numbers in turn") {
-    for (Index k = 0; k < n; ++k) order[static_cast<std::size_t>(k)] = k % 2 ? n - 1 - k / 2 : k / 2;
+    order = from_both_ends(n);
   }
-  const Graph g = chain(order);
+  const Graph g = chain_of(order);
   // log2(1e6) = 20; at least every second round joins every tree that can grow.
   CHECK(hook_rounds(g) <= 2 + 2 * 20);
 }
 
 TEST_CASE("A chain cut in two is two fragments", "[fragments]") {
-  Graph g = chain(shuffled(5000, 6));
+  Graph g = chain_of(shuffled(5000));
   g.i.erase(g.i.begin() + 2500);
   g.j.erase(g.j.begin() + 2500);
   const std::vector<Index> label = labels(g);

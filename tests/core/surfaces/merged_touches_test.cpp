@@ -45,7 +45,7 @@ WallTouches in_valley(double fold, double x, double z, double radius) {
 
 }  // namespace
 
-TEST_CASE("a point of several pieces counts once") {
+TEST_CASE("A point that belongs to several triangles counts once") {
   const NearPoint face{{0, 0, 1}, 0.9}, edge{{0, 0, 1}, 0.9};
   const WallTouches t = merged({edge, edge, face, edge}, 1);
   REQUIRE(t.count == 1);
@@ -53,7 +53,7 @@ TEST_CASE("a point of several pieces counts once") {
   CHECK(t.touch[0].gap == Approx(-0.1));
 }
 
-TEST_CASE("M4: a right corner is two full touches") {
+TEST_CASE("M4: a corner of 90 degrees is two full contacts") {
   const double x = GENERATE(0.95, 0.97, 0.999), z = GENERATE(0.92, 0.99);
   const WallTouches t =
       merged({{{1, 0, 0}, x}, {{0, 0, 1}, z}, {1 / std::hypot(x, z) * Vec3d{x, 0, z}, std::hypot(x, z)}}, 1);
@@ -62,14 +62,14 @@ TEST_CASE("M4: a right corner is two full touches") {
   CHECK(t.touch[1].weight == 1);
 }
 
-TEST_CASE("M4: a box corner is three full touches") {
+TEST_CASE("M4: the corner of a box is three full contacts") {
   const WallTouches t = merged({{{1, 0, 0}, 0.99}, {{0, 1, 0}, 0.98}, {{0, 0, 1}, 0.97}}, 1);
   REQUIRE(t.count == 3);
   for (const WallTouch& touch : t.touch) CHECK(touch.weight == 1);
   CHECK(t.touch[0].normal.z == 1);  // deepest first
 }
 
-TEST_CASE("M4: a seam becomes a plane as it flattens, to first order") {
+TEST_CASE("M4: the force at a seam tends to that of a plane as the fold flattens, to first order") {
   double before = 0;
   for (const double degrees : {4.0, 2.0, 1.0, 0.5}) {
     const double fold = degrees * pi / 180;
@@ -84,7 +84,7 @@ TEST_CASE("M4: a seam becomes a plane as it flattens, to first order") {
   }
 }
 
-TEST_CASE("the push is continuous across a valley of any fold") {
+TEST_CASE("The force is continuous across a valley of any angle") {
   const double degrees = GENERATE(0.1, 1.0, 5.0, 30.0, 59.0, 61.0, 90.0);
   const double fold = degrees * pi / 180, height = 0.99 / std::cos(fold / 2);
   const double width = 1.3 * std::max(height * std::sin(fold / 2), 0.02);
@@ -102,8 +102,8 @@ TEST_CASE("the push is continuous across a valley of any fold") {
   CHECK(largest_step(40000) < 0.15 * largest_step(4000));
 }
 
-TEST_CASE("the push is continuous when a third face comes and goes") {
-  // A bowl of three faces; the sphere passes the place where the third one begins to touch.
+TEST_CASE("The force is continuous when a third face begins and ends to touch") {
+  // A bowl of three faces; the sphere passes the point at which the third one begins to touch.
   const double tilt = 0.3;
   const auto bowl = [&](double x, double y, double z) {
     std::vector<NearPoint> points;
@@ -129,7 +129,7 @@ TEST_CASE("the push is continuous when a third face comes and goes") {
   CHECK(fine < 0.15 * coarse);
 }
 
-TEST_CASE("many nearly parallel faces share one weight and leave three touches") {
+TEST_CASE("Many nearly parallel faces share one weight and leave three contacts") {
   std::vector<NearPoint> points;
   for (int k = 0; k < 8; ++k) {
     const double azimuth = 2 * pi * k / 8, tilt = 0.01;
@@ -144,7 +144,7 @@ TEST_CASE("many nearly parallel faces share one weight and leave three touches")
   CHECK(norm(push(t) - Vec3d{0, 0, 1e-3}) < 2e-6);
 }
 
-TEST_CASE("the order of the pieces changes no bit") {
+TEST_CASE("The order of the triangles changes no bit") {
   std::vector<NearPoint> points{
       {{0, 0, 1}, 0.97}, {{0.6, 0, 0.8}, 0.96}, {{0, 0.28, 0.96}, 0.97}, {{0.1, 0.1, std::sqrt(0.98)}, 0.99}};
   const WallTouches first = merged(points, 1);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/surfaces/mesh_grid.hpp"
+#include "app/verify/fixtures/meshes.hpp"
+#include "app/verify/fixtures/random.hpp"
 #include "core/base/errors.hpp"
 #include "core/math/random.hpp"
 #include "core/surfaces/touch_wall.hpp"
@@ -8,43 +10,11 @@
 #include <algorithm>
 
 using namespace gyro;
+using namespace gyro::fixtures;
 
 namespace {
 
-double draw(std::uint32_t thing, std::uint32_t k) {
-  return uniform(11, Stream::place, thing, k);
-}
-
-/// Smallest height of a triangle over its longest edge.
-double slimness(const TriangleMesh& mesh, const Vec3<Index>& t) {
-  const auto at = [&](Index k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
-  const double longest2 = std::max({norm2(at(t.x) - at(t.y)), norm2(at(t.y) - at(t.z)), norm2(at(t.z) - at(t.x))});
-  return norm(cross(at(t.y) - at(t.x), at(t.z) - at(t.x))) / longest2;
-}
-
-/// Square [-1, 1]^2 at z = 0, split at random points, slivers of about 1:1000 among the triangles. Triangles
-/// slimmer than `slimmest` are not split again.
-TriangleMesh split_square(int splits, double slimmest = 0.01) {
-  TriangleMesh mesh{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  for (int i = 0; i < splits; ++i) {
-    const auto n = static_cast<std::uint32_t>(i);
-    const auto t = static_cast<std::size_t>(draw(n, 0) * static_cast<double>(mesh.triangles.size()));
-    const Vec3<Index> old = mesh.triangles[t];
-    if (slimness(mesh, old) < slimmest) continue;
-    // Every fourth point hugs an edge.
-    double u = draw(n, 1), v = (1 - u) * draw(n, 2);
-    if (i % 4 == 0) v *= 1e-3;
-    const auto at = [&](Index k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
-    const auto added = static_cast<Index>(mesh.vertices.size());
-    mesh.vertices.push_back((1 - u - v) * at(old.x) + u * at(old.y) + v * at(old.z));
-    mesh.triangles[t] = {old.x, old.y, added};
-    mesh.triangles.push_back({old.y, old.z, added});
-    mesh.triangles.push_back(i % 3 == 0 ? Vec3<Index>{added, old.x, old.z} : Vec3<Index>{old.z, old.x, added});
-  }
-  return mesh;
-}
-
-TriangleMesh turned(TriangleMesh mesh, const Quatd& q, const Vec3d& shift) {
+TriangleMesh moved(TriangleMesh mesh, const Quatd& q, const Vec3d& shift) {
   for (Vec3d& v : mesh.vertices) v = shift + rotate(q, v);
   return mesh;
 }
@@ -59,9 +29,9 @@ void check_plane(const MeshGrid& mesh, const Vec3d& centre, double radius, const
 
 }  // namespace
 
-TEST_CASE("M1: the same on vertices and edges, and in any attitude") {
-  const TriangleMesh flat = split_square(200);
-  // Rounding of the turned corners tilts a triangle by about 2^-52 / height.
+TEST_CASE("M1: a flat mesh gives the same contact on vertices and edges, in any orientation") {
+  const TriangleMesh flat = split_square(1, 200);
+  // Rounding of the rotated corners tilts a triangle by about 2^-52 / height.
   double height = 1;
   for (const Vec3<Index>& t : flat.triangles) {
     const auto at = [&](Index k) { return flat.vertices[static_cast<std::size_t>(k)]; };
@@ -71,7 +41,7 @@ TEST_CASE("M1: the same on vertices and edges, and in any attitude") {
   const double tolerance = std::max(1e-9, 4 * 2.2e-16 / height);
   INFO("smallest height " << height);
   const Quatd q = rotation_about(1 / std::sqrt(3.0) * Vec3d{1, 1, 1}, 0.8);
-  const MeshGrid mesh(turned(flat, q, {0.3, -0.2, 0.5}));
+  const MeshGrid mesh(moved(flat, q, {0.3, -0.2, 0.5}));
   const double radius = 0.02;
   for (const Vec3<Index>& t : flat.triangles)
     for (const double part : {0.0, 0.5}) {
@@ -94,20 +64,16 @@ TEST_CASE("M1: the same on vertices and edges, and in any attitude") {
     }
 }
 
-TEST_CASE("H7: a plate of two faces shows each side its own face only") {
+TEST_CASE("H7: each side of a plate of two faces touches its own face only") {
   const double thick = 0.004;
-  TriangleMesh plate = split_square(50);
-  const TriangleMesh below = turned(split_square(30), {1, 0, 0, 0}, {0, 0, -thick});
-  const auto shift = static_cast<Index>(plate.vertices.size());
-  plate.vertices.insert(plate.vertices.end(), below.vertices.begin(), below.vertices.end());
-  for (const Vec3<Index>& t : below.triangles) plate.triangles.push_back({t.x + shift, t.y + shift, t.z + shift});
-  const MeshGrid mesh(plate);
+  const TriangleMesh below = moved(split_square(1, 30), {1, 0, 0, 0}, {0, 0, -thick});
+  const MeshGrid mesh(joined(split_square(1, 50), below));
   check_plane(mesh, {0.1, 0.2, 0.009}, 0.01, {0, 0, 1}, -0.001);
   check_plane(mesh, {0.1, 0.2, -thick - 0.009}, 0.01, {0, 0, -1}, -0.001);
 }
 
-TEST_CASE("H21: degenerate and repeated triangles go, NaN is refused") {
-  TriangleMesh mesh = split_square(40);
+TEST_CASE("H21: degenerate and repeated triangles are dropped, NaN is refused") {
+  TriangleMesh mesh = split_square(1, 40);
   mesh.triangles.push_back({0, 0, 1});
   mesh.triangles.push_back({mesh.triangles[3].y, mesh.triangles[3].x, mesh.triangles[3].z});
   mesh.vertices.push_back({0, -1, 0});  // on the edge from vertex 0 to 1
@@ -123,8 +89,8 @@ TEST_CASE("H21: degenerate and repeated triangles go, NaN is refused") {
   CHECK_THROWS_AS(MeshGrid({}), BadInput);
 }
 
-TEST_CASE("H22: needles, huge triangles and outliers keep lists short and touches right") {
-  TriangleMesh mesh = split_square(2000);
+TEST_CASE("H22: with needles, huge triangles and outliers the lists stay short and contacts right") {
+  TriangleMesh mesh = split_square(1, 2000);
   const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const auto n = static_cast<Index>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
@@ -142,16 +108,16 @@ TEST_CASE("H22: needles, huge triangles and outliers keep lists short and touche
   CHECK(touch_mesh(grid.view(), {1e6, 0, 0}, 0.1).count == 0);
 }
 
-TEST_CASE("mesh: grid, list and all triangles give the same bits, in any order") {
-  TriangleMesh mesh = split_square(300);
+TEST_CASE("Grid, list and all triangles give the same bits, in any order") {
+  TriangleMesh mesh = split_square(1, 300);
   for (Vec3d& v : mesh.vertices) v.z = 0.2 * v.x * v.x - 0.3 * v.y * v.y + 0.05 * std::sin(20 * v.x);
   const MeshGrid grid(mesh);
   std::vector<Index> all(grid.triangles().size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Index>(i);
   int touching = 0;
   for (std::uint32_t i = 0; i < 2000; ++i) {
-    const Vec3d c{1.8 * draw(i, 0) - 0.9, 1.8 * draw(i, 1) - 0.9, 0.3 * draw(i, 2)};
-    const double radius = 0.02 + 0.1 * draw(i, 3);
+    const Vec3d c{1.8 * random_share(i, 0) - 0.9, 1.8 * random_share(i, 1) - 0.9, 0.3 * random_share(i, 2)};
+    const double radius = 0.02 + 0.1 * random_share(i, 3);
     const WallTouches a = touch_mesh(grid.view(), c, radius);
     std::vector<Index> ids = grid.candidates(c, radius + 0.02);
     CHECK(std::is_sorted(ids.begin(), ids.end()));

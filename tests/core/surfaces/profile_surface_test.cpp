@@ -32,7 +32,7 @@ const ProfileShape winding{{{0, 3.4}, {0.25, 3.2}, {0.4, 2.0}, {0.7, 0.8}, {0.6,
 
 }  // namespace
 
-TEST_CASE("plane: gap and normal") {
+TEST_CASE("A plane has its gap and normal") {
   const Vec3d n{0.6, 0, 0.8};
   const WallTouches t = touch_plane({1, 1, 1}, n, Vec3d{1, 1, 1} + 0.09 * n, 0.1);
   REQUIRE(t.count == 1);
@@ -42,7 +42,7 @@ TEST_CASE("plane: gap and normal") {
   CHECK(dot(touch_plane({0, 0, 0}, n, -0.02 * n, 0.1).touch[0].normal, n) == Approx(1));
 }
 
-TEST_CASE("profile: a cylinder from inside and from outside") {
+TEST_CASE("A profile is a cylinder, from inside and from outside") {
   const ProfileSurface inside({{{1, -1}, {1, 1}}}), outside({{{1, 1}, {1, -1}}});
   const double azimuth = GENERATE(0.0, 0.4, 2.0, -1.3);
   const Vec3d out{std::cos(azimuth), std::sin(azimuth), 0};
@@ -56,7 +56,7 @@ TEST_CASE("profile: a cylinder from inside and from outside") {
   CHECK(norm(ex.touch[0].normal - out) < 1e-15 * 4);
 }
 
-TEST_CASE("profile: a cone's exact gap and normal") {
+TEST_CASE("A profile is a cone, with exact gap and normal") {
   const double half = 0.35;  // half-angle; rock inside, apex at the origin
   const ProfileSurface cone({{{0, 0}, {2 * std::sin(half), 2 * std::cos(half)}}});
   const Vec3d centre{0.15, 0.2, 0.9};  // rho = 0.25
@@ -67,7 +67,7 @@ TEST_CASE("profile: a cone's exact gap and normal") {
   CHECK(norm(t.touch[0].normal - Vec3d{-0.6 * std::cos(half), -0.8 * std::cos(half), std::sin(half)}) < 1e-14);
 }
 
-TEST_CASE("profile: on the axis, and at the tip of a cone") {
+TEST_CASE("A profile is touched on its axis and at the tip of a cone") {
   const ProfileSurface tip({{{0, 1}, {1, 0}}});  // rock outside, tip upwards
   const WallTouches top = touch(tip, {0, 0, 1.09}, 0.1);
   REQUIRE(top.count == 1);
@@ -84,7 +84,7 @@ TEST_CASE("profile: on the axis, and at the tip of a cone") {
   CHECK(std::isfinite(ring.touch[0].normal.x));
 }
 
-TEST_CASE("M3: a convex edge sweeps the normal, always one touch, gap continuous") {
+TEST_CASE("M3: round a convex edge the normal turns, with one contact and a continuous gap") {
   const ProfileSurface edge({{{0, 0}, {1, 0}, {1, -1}}});  // flat top, rock above and outside
   double last = 0;
   bool first = true;
@@ -102,7 +102,7 @@ TEST_CASE("M3: a convex edge sweeps the normal, always one touch, gap continuous
   }
 }
 
-TEST_CASE("M4: corners of a profile") {
+TEST_CASE("M4: each side of a corner of a profile is a full contact") {
   const ProfileSurface floor_and_wall({{{0, 0}, {1, 0}, {1, 1}}});  // rock above the floor, inside the wall
   const WallTouches t = touch(floor_and_wall, {0.92, 0, 0.09}, 0.1);
   REQUIRE(t.count == 2);
@@ -127,7 +127,7 @@ TEST_CASE("H6: the normal of a profile does not flip when the centre passes thro
   }
 }
 
-TEST_CASE("profile: the range kept since the last rebuild and all segments give the same bits") {
+TEST_CASE("The segments of the last rebuild and all segments of a profile give the same bits") {
   const ProfileSurface surface(winding);
   const ProfileView view = surface.view();
   int touching = 0;
@@ -144,7 +144,7 @@ TEST_CASE("profile: the range kept since the last rebuild and all segments give 
   CHECK(touching > 1000);
 }
 
-TEST_CASE("profile: gaps are the true distance, by dense sampling") {
+TEST_CASE("Gaps to a profile are the true distance, by dense sampling") {
   const ProfileSurface surface(winding);
   for (std::uint32_t i = 0; i < 300; ++i) {
     const Vec3d centre{0.2 + uniform(3, Stream::place, i, 0), 0, -0.2 + 3.8 * uniform(3, Stream::place, i, 1)};
@@ -162,7 +162,7 @@ TEST_CASE("profile: gaps are the true distance, by dense sampling") {
   }
 }
 
-TEST_CASE("profiles that are none are refused") {
+TEST_CASE("Profiles without length or with bad points are refused") {
   CHECK_THROWS_AS(ProfileSurface({{{1, 0}}}), BadInput);
   CHECK_THROWS_AS(ProfileSurface({{{1, 0}, {1, 0}}}), BadInput);
   CHECK_THROWS_AS(ProfileSurface({{{1, 0}, {-1, 1}}}), BadInput);

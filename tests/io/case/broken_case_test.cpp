@@ -53,7 +53,7 @@ TEST_CASE("Every broken case is refused with all its problems, where they are, a
       const std::string text = short_text(report.problems[k], file);
       INFO(text);
       CHECK(text.starts_with(wanted[k]));
-      CHECK(text.find("; ") != std::string::npos);  // problem; what is accepted
+      CHECK(text.find("; ") != std::string::npos);  // problem; what to do
     }
   }
 }
@@ -61,9 +61,8 @@ TEST_CASE("Every broken case is refused with all its problems, where they are, a
 TEST_CASE("Files that cannot be read are problems, not exceptions") {
   const gyro::CaseReport missing = gyro::load_case("no/such/case.yaml");
   REQUIRE(missing.problems.size() == 1);
-  CHECK(to_string(missing.problems[0]) ==
-        "no/such/case.yaml:1:1: there is no such file; the path of a case file is accepted");
+  CHECK(to_string(missing.problems[0]) == "no/such/case.yaml:1:1: there is no such file; give the path of a case file");
   const gyro::CaseReport folder = gyro::load_case(GYRO_CASE_TESTS);
   REQUIRE(folder.problems.size() == 1);
-  CHECK(folder.problems[0].message == "is a directory; the path of a case file is accepted");
+  CHECK(folder.problems[0].message == "is a directory; give the path of a case file");
 }

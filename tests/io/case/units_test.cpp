@@ -86,7 +86,7 @@ TEST_CASE("Decimal fractions of SI units are rounded once") {
   CHECK(*parse_quantity("0.7 us", Dimension::time).value == 0.7e-6);
 }
 
-TEST_CASE("What is no quantity of the dimension is refused with what is accepted") {
+TEST_CASE("A text that is not a quantity of the dimension is refused with what to do") {
   const Example example = GENERATE(values<Example>({
       {"", Dimension::length, 0},         {"mm", Dimension::length, 0},    {"5 kg", Dimension::length, 0},
       {"5 mm", Dimension::number, 0},     {"5 xyz", Dimension::length, 0}, {"5 mm mm", Dimension::length, 0},

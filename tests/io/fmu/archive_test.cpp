@@ -77,7 +77,7 @@ TEST_CASE("Links, things that are there twice, and what is no archive are refuse
   }
   SECTION("text") {
     std::ofstream(file) << "no archive at all";
-    CHECK_THROWS_WITH(Archive(file), Contains("is no readable zip archive"));
+    CHECK_THROWS_WITH(Archive(file), Contains("is not a readable zip archive"));
   }
   SECTION("damaged") {
     write_archive(file, {{"a", std::string(5000, 'a') + "b"}});

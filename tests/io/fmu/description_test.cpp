@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which FMUs are accepted, and how their variables are found.
+// Which FMUs can be used, and how their variables are found.
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
 #include "tests/catch.hpp"
@@ -34,14 +34,14 @@ TEST_CASE("A description is read with units of variables and of their types") {
 
 TEST_CASE("What is no FMI 2.0 co-simulation for this platform is refused with the reason") {
   const auto [part, by, reason] = GENERATE(table<std::string, std::string, std::string>({
-      {"fmiVersion=\"2.0\"", "fmiVersion=\"3.0\"", "is of FMI 3.0; 2.0 is accepted"},
+      {"fmiVersion=\"2.0\"", "fmiVersion=\"3.0\"", "is of FMI 3.0; FMI 2.0 is needed"},
       {"CoSimulation modelIdentifier", "ModelExchange modelIdentifier", "no CoSimulation"},
       {"guid=\"foreign-1\"", "guid=\"\"", "without guid"},
       {"modelIdentifier=\"flywheel\"", "modelIdentifier=\"other\"",
        "has no binaries/linux64/other.so but binaries for linux64"},
       {"modelIdentifier=\"flywheel\"", "modelIdentifier=\"../flywheel\"", "with a slash"},
       {"valueReference=\"1\"", "", "without valueReference"},
-      {"</ModelVariables>", "", "is no XML"},
+      {"</ModelVariables>", "", "is not XML"},
       {"fmiModelDescription", "somethingElse", "no XML"},
   }));
   const ScratchDirectory place;
@@ -74,7 +74,7 @@ TEST_CASE("Variables that are not there, of another kind or in another unit are 
   CHECK_THAT(problem(eccentric_speed, "w"), Contains("outputs of the FMU are shaft.w, tau, weight, odd"));
   CHECK_THAT(problem(mantle_torque, "tau"), Contains("no real input (Real, output)"));
   CHECK_THAT(problem(motor_torque, "T_load"), Contains("no real output"));
-  CHECK_THAT(problem(motor_torque, "weight"), Contains("is in \"kg\", which is no unit of motor_torque"));
+  CHECK_THAT(problem(motor_torque, "weight"), Contains("is in \"kg\", which is not a unit of motor_torque"));
   CHECK_THAT(problem(motor_torque, "odd"), Contains("\"furlong\", which its description does not define"));
   CHECK_THROWS_WITH(start_of(model, "j", 1), Contains("parameters of the FMU are J, fail_at, blind_at, sacks"));
   CHECK_THROWS_WITH(start_of(model, "sacks", 1.5), Contains("a whole number"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exported drivetrain, driven by our own master, against the built-in one.
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
 #include "io/fmu/export.hpp"
@@ -7,13 +8,13 @@
 #include "mbd/shaft.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <cmath>
 
 namespace {
 
 using namespace gyro;
+using namespace gyro::fixtures;
 using Catch::Matchers::Contains;
 
 /// Everything a drive can have: two cages, spin, bearings, spring, supply that sags, relays that act.
@@ -143,10 +144,10 @@ TEST_CASE("More events in one step than an exported machine remembers are counte
   machine.protection = {.instantaneous_ratio = 0.05, .rated_torque = 1e4, .restart_delay = 1e-3, .restarts = 20};
   const auto drive = open_drive(exported(machine, place.path() / "drive.fmu"));
   ShaftMotion motion = drive->start();
-  const ShaftTurn turn = drive->turn(2, {.rock_torque = 2e4}, motion);
+  const ShaftAdvance turn = drive->advance(2, {.rock_torque = 2e4}, motion);
   Shaft built_in(machine);
   ShaftMotion same = built_in.start();
-  const ShaftTurn all = built_in.turn(2, {.rock_torque = 2e4}, same);
+  const ShaftAdvance all = built_in.advance(2, {.rock_torque = 2e4}, same);
   REQUIRE(all.events.size() > 20);
   REQUIRE(turn.events.size() == 8);
   CHECK(turn.events.back().kind == all.events.back().kind);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A drivetrain of another program in the loop: no saved state, sums left out, units of its own, failures.
 #include "tests/io/fmu/foreign.hpp"
+#include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
 #include "mbd/drivetrain.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
-#include "tests/mbd/machines.hpp"
 
 #include <cmath>
 
 namespace {
 
 using namespace gyro;
+using namespace gyro::fixtures;
 using Catch::Matchers::Contains;
 
 DriveFmu foreign(const std::filesystem::path& file) {
@@ -107,7 +108,8 @@ TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
   ShaftMotion motion = drive->start();
   std::vector<DriveEvent> events;
   const auto go_on = [&](double torque) {
-    for (const DriveEvent& event : drive->turn(1e-3, {.rock_torque = torque}, motion).events) events.push_back(event);
+    for (const DriveEvent& event : drive->advance(1e-3, {.rock_torque = torque}, motion).events)
+      events.push_back(event);
   };
   for (int k = 0; k < 20; ++k) go_on(1);
   REQUIRE(events.size() == 1);

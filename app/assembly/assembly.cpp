@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly/assembly.hpp"
+
+#include "app/assembly/bad_key.hpp"
+#include "app/assembly/rocks.hpp"
+#include "io/rocks/library_cache.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gyro {
+namespace {
+
+/// A drive without a gyrating wall is an error; an undriven mantle is allowed.
+void check_crusher(const Case& input, Assembly& out) {
+  const bool driven = input.drivetrain || input.drivetrain_fmu;
+  if (driven && gyrating_wall(out.setup.scene) == none)
+    throw BadKey(
+        "drivetrain",
+        "the drive moves nothing, because no wall gyrates; give walls.mantle the motion gyration, or the crusher "
+        "a profile");
+  if (input.crusher && !driven) out.notes.push_back("the case has no drivetrain: the mantle stands still");
+}
+
+/// Notes times that are not a whole number of windows: a run acts at the ends of windows only.
+void note_windows(Assembly& out, const Case& input) {
+  const auto note = [&](const char* key, double time) {
+    const double windows = time / input.coupling_interval;
+    if (std::abs(windows - std::round(windows)) < 1e-6 * windows) return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "%s of %g s is not a whole number of coupling intervals of %g s: taken at the end "
+                  "of the interval in which it lies",
+                  key, time, input.coupling_interval);
+    out.notes.push_back(text);
+  };
+  note("time.duration", input.time.duration);
+  note("output.series", input.output.series);
+}
+
+/// The scene but its walls and step.
+void set_scene(Scene& scene, const Case& input) {
+  scene.materials = input.materials;
+  scene.pairs = pair_table(input);
+  scene.rock_material = input.rock_material;
+  scene.gravity = input.gravity;
+  scene.substeps = input.numerics.substeps;
+  scene.wall_impulses = input.output.liners.has_value();
+  if (input.bonds) scene.bonds = bond_parameters(*input.bonds);
+}
+
+void set_walls(Assembly& out, const Case& input) {
+  CaseWalls walls = make_walls(input);
+  out.setup.scene.walls = std::move(walls.walls);
+  out.liners = std::move(walls.liners);
+  out.pictures = std::move(walls.pictures);
+  out.notes = std::move(walls.notes);
+}
+
+void set_rock(Assembly& out, const Case& input) {
+  Setup& setup = out.setup;
+  if (input.rocks) {
+    setup.library =
+        blaming("rocks", [&] { return cached_library(library_recipe(input, setup.scene), default_cache_folder()); });
+    out.notes.insert(out.notes.end(), setup.library.notes.begin(), setup.library.notes.end());
+  }
+  setup.start = blaming("particles", [&] { return start_state(input); });
+  setup.bond_strength = bond_strength(input);
+  if (input.crusher)
+    setup.discharge = Discharge{input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start))};
+}
+
+void set_step(Assembly& out, const Case& input) {
+  const StepRequest request{input.coupling_interval, input.time.step, input.time.safety};
+  out.step = blaming("time.step", [&] { return choose_step(out.setup, request); });
+  blaming("numerics.substeps", [&] { check_hold(out.step, out.setup.scene.substeps); });
+  set_step(out.setup, out.step);
+}
+
+std::optional<Drivetrain> make_drivetrain(const Case& input) {
+  if (input.drivetrain) return blaming("drivetrain", [&] { return Drivetrain(*input.drivetrain); });
+  if (!input.drivetrain_fmu) return std::nullopt;
+  const CaseFmu& fmu = *input.drivetrain_fmu;
+  return blaming("drivetrain.fmu", [&] {
+    return Drivetrain(open_drive(fmu), {fmu.residual_limit, fmu.bushing_depth});
+  });
+}
+
+/// The key of a case file that a part of a setup comes from.
+std::string key_of(SetupPart part) {
+  switch (part) {
+    case SetupPart::step:
+      return "time.step";
+    case SetupPart::start:
+      return "particles";
+    case SetupPart::feed:
+      return "feed";
+    case SetupPart::scene:
+      break;
+  }
+  return "walls";
+}
+
+}  // namespace
+
+Assembly assemble(const Case& input) {
+  if (input.output.hdf5) throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; use vtp");
+  if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
+  Assembly out;
+  set_walls(out, input);
+  check_crusher(input, out);
+  set_scene(out.setup.scene, input);
+  set_rock(out, input);
+  set_step(out, input);
+  note_windows(out, input);
+  out.setup.inspection_interval = input.output.series;
+  if (input.feed) {
+    Setup& setup = out.setup;
+    setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
+  }
+  return out;
+}
+
+std::unique_ptr<Simulation> make_simulation(const Case& input, Setup setup, std::unique_ptr<Dem> dem,
+                                            const SavedState* saved) {
+  std::optional<Drivetrain> drivetrain = make_drivetrain(input);
+  try {
+    return std::make_unique<Simulation>(std::move(setup), std::move(dem), std::move(drivetrain), saved);
+  } catch (const BadSetup& bad) {
+    throw BadKey(key_of(bad.part), bad.what());
+  }
+}
+
+}  // namespace gyro

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/assembly/walls.hpp"
+#include "app/simulation/simulation.hpp"
+#include "app/simulation/time_step.hpp"
+#include "io/case/case.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// A case as a setup, and what the program shows besides. Only app/assembly knows both cases and setups.
+struct Assembly {
+  Setup setup;
+  StepChoice step;
+  std::optional<Liners> liners;  ///< of a crusher given by its profile
+  std::vector<WallPicture> pictures;
+  std::vector<std::string> notes;  ///< repairs of input files and other remarks, for the log
+};
+
+/// Makes the setup of a case.
+/// @throws BadKey for files that cannot be used, a library that cannot be made, a step above its limit
+Assembly assemble(const Case& input);
+
+/// The simulation of an assembled case; opens its drive.
+/// @param dem    empty scene made from setup.scene
+/// @param saved  see Simulation
+/// @throws BadKey for a drive, a start state or a feed that cannot be had; BadInput for the saved state of another run
+std::unique_ptr<Simulation> make_simulation(const Case& input, Setup setup, std::unique_ptr<Dem> dem,
+                                            const SavedState* saved = nullptr);
+
+}  // namespace gyro

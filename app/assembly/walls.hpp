@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.hpp"
+#include "core/walls/liners.hpp"
+#include "core/walls/mesh_chamber.hpp"
+#include "io/case/case.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// A wall as snapshots show it.
+struct WallPicture {
+  TriangleMesh mesh;  ///< body frame
+  Index wall;         ///< in the scene
+};
+
+/// The walls of a case, with the mantle at its setting.
+struct CaseWalls {
+  std::vector<Wall> walls;
+  std::optional<Liners> liners;       ///< of a crusher given by its profile
+  std::vector<WallPicture> pictures;  ///< one per wall
+  std::vector<std::string> notes;     ///< repairs of mesh files, and where the mantle was set, for the log
+};
+
+/// Reads mesh files, makes liners from a profile and lifts a mantle of meshes to the closed side setting.
+/// @throws BadKey for files that cannot be used and settings that the liners cannot have
+CaseWalls make_walls(const Case& input);
+
+/// Mantle and concave where both are meshes: the first wall that gyrates, and the fixed one called concave.
+std::optional<MeshLiners> mesh_liners(std::span<const Wall> walls);
+
+/// Liners of a crusher with a profile. @throws BadInput for settings that the profile cannot have
+Liners liners_of(const CaseCrusher& crusher);
+
+}  // namespace gyro

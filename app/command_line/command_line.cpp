@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/command_line.hpp"
+
+#include "app/commands/commands.hpp"
+#include "app/version.hpp"
+#include "io/case/units.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace gyro {
+namespace {
+
+/// A time given on the command line: plain seconds or with a unit.
+std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& target) {
+  return [&target](const CLI::results_t& words) {
+    const ParsedNumber parsed = parse_quantity(words.front(), Dimension::time);
+    if (!parsed.value) throw CLI::ValidationError(parsed.problem);
+    if (!(*parsed.value >= 0)) throw CLI::ValidationError("must be >= 0");
+    target = parsed.value;
+    return true;
+  };
+}
+
+void add_case(CLI::App& command, CaseArguments& arguments) {
+  command.add_option("case", arguments.file, "case file")->required();
+  command.add_option("--set", arguments.set, "override a key: key.path=value")->allow_extra_args(false);
+}
+
+void add_run(CLI::App& command, RunArguments& a) {
+  add_case(command, a.input);
+  command.add_option("--out", a.out, "directory of the results; default runs/<case>-NNN");
+  command.add_option("--device", a.device, "auto, cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->envname("GYROSIM_DEVICE");
+  command.add_option("--threads", a.threads, "threads of the CPU engine; default all cores")
+      ->check(CLI::Range(1, 4096))
+      ->envname("GYROSIM_THREADS");
+  command.add_flag("--resume", a.resume, "continue an interrupted run");
+  command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
+  command.add_option("--until", seconds_into(a.until), "end at this simulated time instead of time.duration")
+      ->type_name("TIME");
+  command.add_option("--max-walltime", seconds_into(a.max_walltime), "stop after this much wall-clock time")
+      ->type_name("TIME");
+  command.add_flag("--quiet", a.quiet, "no progress and no summary");
+}
+
+void add_bench_accuracy(CLI::App& command, BenchAccuracyArguments& a) {
+  command.add_option("--scene", a.scene, "platen, wedge or crusher; default all");
+  command.add_option("--knob", a.knob, "only the points of this knob");
+  command.add_option("--threads", a.threads, "runs side by side, each on one thread")->check(CLI::Range(1, 4096));
+  command.add_flag("--quick", a.quick, "few points and three seeds");
+  command.add_option("--folder", a.folder, "scenes and reference.json; default those of the source folder");
+  command.add_flag("--make-reference", a.make_reference, "compute the references and write reference.json");
+  command.add_flag("--json", a.json, "one JSON document on standard output");
+}
+
+/// What is wrong with a command line, and where its options are listed.
+std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
+  const std::vector<CLI::App*> chosen = app->get_subcommands();
+  std::string text = error.what();
+  while (!text.empty() && (text.back() == '.' || text.back() == '\n')) text.pop_back();
+  const std::vector<std::string> unknown = chosen.empty() ? app->remaining() : chosen.front()->remaining();
+  if (!unknown.empty()) text = "there is no `" + unknown.front() + "`";
+  if (!chosen.empty()) return text + "; `gyrosim " + chosen.front()->get_name() + " --help` lists the options\n";
+  text += "; the commands are";
+  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
+    text += " " + command->get_name();
+  return text + "\n";
+}
+
+/// The arguments of all commands.
+struct Arguments {
+  RunArguments run;
+  CaseArguments check, library, liners, fmu;
+  std::optional<std::filesystem::path> library_out, export_out, fmu_out;
+  std::filesystem::path liners_out, exported;
+  VerifyArguments verify;
+  BenchAccuracyArguments accuracy;
+  std::string key, name = "quickstart";
+  bool schema = false, info_json = false;
+  std::function<int()> chosen;  ///< the command that the command line names
+};
+
+void add_commands_of_cases(CLI::App& app, Arguments& a) {
+  CLI::App* c = app.add_subcommand("run", "run a case");
+  add_run(*c, a.run);
+  c->callback([&a] { a.chosen = [&a] { return run_command(a.run); }; });
+
+  c = app.add_subcommand("check", "validate a case; print its time step, counts and expected wall time");
+  add_case(*c, a.check);
+  c->add_flag("--json", a.check.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return check_command(a.check); }; });
+
+  c = app.add_subcommand("library", "build the meta-particle library of a case");
+  add_case(*c, a.library);
+  c->add_option("--out", a.library_out, "directory");
+  c->add_flag("--json", a.library.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return library_command(a.library, a.library_out); }; });
+
+  c = app.add_subcommand("liners", "measure the chamber of profile or meshes, write the set liners as STL");
+  add_case(*c, a.liners);
+  c->add_option("--out", a.liners_out, "directory")->required();
+  c->add_flag("--json", a.liners.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return liners_command(a.liners, a.liners_out); }; });
+}
+
+void add_other_commands(CLI::App& app, Arguments& a) {
+  CLI::App* c = app.add_subcommand("describe", "documentation of the case file's keys");
+  c->add_option("key", a.key, "a key or a section; default all");
+  c->add_flag("--json-schema", a.schema, "JSON Schema for editors");
+  c->callback([&a] { a.chosen = [&a] { return describe_command(a.key, a.schema); }; });
+
+  c = app.add_subcommand("verify", "compare the engine with theory, one line per check");
+  c->add_option("--filter", a.verify.filter, "regular expression searched in group/case/quantity");
+  c->add_flag("--nightly", a.verify.nightly, "the long cases as well");
+  c->add_flag("--json", a.verify.json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return verify_command(a.verify); }; });
+
+  c = app.add_subcommand("bench", "measure what numerical choices cost and how accurate they are")
+          ->require_subcommand(1);
+  c = c->add_subcommand("accuracy", "work against error: cost and error of numerical choices on three scenes");
+  add_bench_accuracy(*c, a.accuracy);
+  c->callback([&a] { a.chosen = [&a] { return bench_accuracy_command(a.accuracy); }; });
+
+  CLI::App* forms = app.add_subcommand("export", "write results in another form")->require_subcommand(1);
+  c = forms->add_subcommand("fmu", "the drivetrain as an FMI 2.0 co-simulation FMU");
+  c->add_option("CASE", a.fmu.file, "case file, or directory of a run")->required();
+  c->add_option("--set", a.fmu.set, "override a key: key.path=value")->allow_extra_args(false);
+  c->add_option("--out", a.fmu_out, "file; default CASE.fmu in the working directory");
+  c->callback([&a] { a.chosen = [&a] { return export_fmu_command(a.fmu, a.fmu_out); }; });
+  c = forms->add_subcommand("csv", "the series of a run as CSV");
+  c->add_option("RUNDIR", a.exported, "directory of a run")->required();
+  c->add_option("--out", a.export_out, "file; default standard output");
+  c->callback([&a] { a.chosen = [&a] { return export_command(a.exported, a.export_out); }; });
+
+  c = app.add_subcommand("init", "print a commented case to start from");
+  c->add_option("--template", a.name, "quickstart, primary or compression");
+  c->callback([&a] { a.chosen = [&a] { return init_command(a.name); }; });
+
+  c = app.add_subcommand("info", "version, build and machine");
+  c->add_flag("--json", a.info_json, "one JSON document on standard output");
+  c->callback([&a] { a.chosen = [&a] { return info_command(a.info_json); }; });
+}
+
+/// The whole command line; `arguments` must outlive it.
+std::unique_ptr<CLI::App> make_app(Arguments& arguments) {
+  auto app = std::make_unique<CLI::App>("gyrosim: rock breakage in gyratory crushers");
+  app->set_version_flag("--version", std::string("gyrosim ") + version::number + " (" + version::git + ")");
+  app->require_subcommand(1);
+  app->failure_message(usage_problem);
+  add_commands_of_cases(*app, arguments);
+  add_other_commands(*app, arguments);
+  return app;
+}
+
+/// The words between the braces of a type such as "TEXT:{auto,cpu,cuda}"; none where there are no braces.
+std::vector<std::string> choices_of(const std::string& type) {
+  const std::size_t open = type.find('{'), close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
+}
+
+OptionText text_of(const CLI::Option& option) {
+  OptionText text;
+  const std::string type = option.get_type_name();
+  text.positional = option.get_positional();
+  text.name = text.positional ? option.get_name(true) : "--" + option.get_lnames().front();
+  text.description = option.get_description();
+  text.takes_value = option.get_items_expected_max() > 0;
+  if (text.takes_value && !text.positional) text.value = type.substr(0, type.find(':'));
+  text.choices = choices_of(type);
+  return text;
+}
+
+CommandText text_of(const CLI::App& app) {
+  CommandText text;
+  text.name = app.get_name();
+  text.description = app.get_description();
+  for (const CLI::Option* option : app.get_options()) text.options.push_back(text_of(*option));
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    text.commands.push_back(text_of(*command));
+  return text;
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, char** argv) {
+  const auto arguments = std::make_shared<Arguments>();
+  const std::unique_ptr<CLI::App> app = make_app(*arguments);
+  try {
+    app->parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return {nullptr, app->exit(e) == 0 ? exit_done : exit_bad_input};
+  }
+  return {[arguments] { return arguments->chosen(); }, exit_done};
+}
+
+CommandText command_line_text() {
+  Arguments arguments;
+  return text_of(*make_app(arguments));
+}
+
+}  // namespace gyro

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run/case_run.hpp"
+
+#include "app/assembly/bad_key.hpp"
+#include "app/run/stop_request.hpp"
+#include "app/simulation/laboratory.hpp"
+#include "app/simulation/run_figures.hpp"
+#include "app/version.hpp"
+#include "core/base/errors.hpp"
+#include "io/run/replace_file.hpp"
+
+#include <iostream>
+
+namespace gyro {
+
+CaseRun::CaseRun(const Case& input, const RunOptions& options, const SavedState* saved)
+    : input_(input),
+      options_(options),
+      resumed_(saved != nullptr),
+      assembly_(assemble(input)),
+      simulation_(simulation_of(saved)),
+      directory_(open_run_directory(options.directory)),
+      log_(directory_.path, options.quiet),
+      output_(input, assembly_, record(), directory_.path, saved),
+      checkpoints_(directory_.path, input) {
+  if (saved != nullptr) log_.resumed(*simulation_, writer_of(*saved));
+  log_.notes(assembly_.notes);
+  replace_file(directory_.path / "case.yaml", input.resolved);
+}
+
+std::unique_ptr<Simulation> CaseRun::simulation_of(const SavedState* saved) const {
+  auto dem = make_dem(options_.device, assembly_.setup.scene, input_.numerics.precision);
+  try {
+    return make_simulation(input_, assembly_.setup, std::move(dem), saved);
+  } catch (const BadKey&) {
+    throw;
+  } catch (const BadInput& problem) {
+    if (saved == nullptr) throw;
+    throw BadInput(checkpoint_file(*options_.directory.out).string() + " " + problem.what());
+  }
+}
+
+CaseRecord CaseRun::record() const {
+  CaseRecord r;
+  r.title = input_.identity.title;
+  r.resolved_yaml = input_.resolved;
+  r.version = version::number;
+  r.git_hash = version::git;
+  r.device = options_.device.name;
+  r.precision = to_string(input_.numerics.precision);
+  r.seed = input_.identity.seed;
+  return r;
+}
+
+RunStatus CaseRun::run() {
+  log_.started(options_.device, assembly_.step, *simulation_);
+  if (input_.drivetrain_fmu) log_.drive_fmu(*input_.drivetrain_fmu, simulation_->unsaveable());
+  if (resumed_) mark_unfinished();
+  Summary summary = base_summary();
+  try {
+    guarded_loop(summary);
+    simulation_->inspect();  // for the row of an interval that is not complete
+    output_.close(*simulation_);
+  } catch (const std::exception& failure) {
+    fail(summary, failure.what());
+    throw;
+  }
+  finish(summary);
+  return summary.status;
+}
+
+void CaseRun::guarded_loop(Summary& summary) {
+  try {
+    loop(summary);
+  } catch (const StoppedByGuard& stop) {
+    summary.status = RunStatus::stopped;
+    summary.reason = stop.what();
+    log_.stopped(stop.what());
+    checkpoints_.write_last_good(output_);
+  }
+}
+
+void CaseRun::loop(Summary& summary) {
+  Simulation& simulation = *simulation_;
+  Progress progress(simulation.time(), options_.end, ProgressStyle::for_stderr(options_.quiet));
+  if (!resumed_) output_.begin(simulation);
+  checkpoints_.keep_if_due(simulation, output_);
+  summary.status = RunStatus::done;
+  const double rounding = 1e-6 * assembly_.step.steps_per_window * assembly_.step.dt;
+  while (simulation.time() < options_.end - rounding) {
+    output_.take(simulation.advance(), simulation);
+    log_.drive_events(simulation);
+    simulation.require_sound();
+    checkpoints_.keep_if_due(simulation, output_);
+    progress.update(progress_state());
+    if (const char* reason = stop_reason()) {
+      summary.status = RunStatus::interrupted;
+      summary.reason = reason;
+      break;
+    }
+  }
+  progress.finish(progress_state());
+  checkpoints_.write(simulation, output_);
+}
+
+const char* CaseRun::stop_reason() const {
+  const std::chrono::duration<double> since = Clock::now() - start_;
+  if (options_.max_walltime && since.count() > *options_.max_walltime) return "--max-walltime is over";
+  return stop_requested() ? "a signal asked to stop" : nullptr;
+}
+
+ProgressState CaseRun::progress_state() const {
+  ProgressState s;
+  const Counts counts = simulation_->dem().counts();
+  s.time = simulation_->time();
+  s.particle_steps = counts.particle_steps;
+  s.particles = counts.particles;
+  if (input_.bonds) s.bonds_broken = counts.broken_tension + counts.broken_shear;
+  if (simulation_->drivetrain()) {
+    s.eccentric_speed = simulation_->drivetrain()->state().speed;
+    s.crushing_power = simulation_->drivetrain()->means().crushing_power;
+  }
+  return s;
+}
+
+double CaseRun::seconds_so_far() const {
+  const std::chrono::duration<double> since = Clock::now() - start_;
+  return output_.earlier_seconds() + since.count();
+}
+
+Summary CaseRun::base_summary() const {
+  Summary s;
+  s.title = input_.identity.title;
+  s.version = version::number;
+  s.git_hash = version::git;
+  s.device = options_.device.name;
+  s.precision = to_string(input_.numerics.precision);
+  s.threads = options_.device.threads;
+  s.time_step = assembly_.step.dt;
+  s.time_step_limit = assembly_.step.limit;
+  return s;
+}
+
+void CaseRun::finish(Summary& s) {
+  s.wall_seconds = seconds_so_far();
+  add_figures(s, input_, assembly_, *simulation_, output_);
+  if (input_.laboratory) s.laboratory = write_laboratory(input_, assembly_, directory_.path);
+  write_summary(s, directory_.path);
+  log_.ended(*simulation_, s.status);
+  if (!options_.quiet) std::cout << to_text(s, directory_.path) << std::flush;
+}
+
+/// Marks a resumed run unfinished until it completes, in case this process is killed.
+void CaseRun::mark_unfinished() const {
+  Summary s = base_summary();
+  s.status = RunStatus::interrupted;
+  s.reason = "resumed from its checkpoint, not finished";
+  s.simulated_seconds = simulation_->time();
+  s.wall_seconds = output_.earlier_seconds();
+  write_summary(s, directory_.path);
+}
+
+/// Notes a failure in the directory, if that can still be written.
+void CaseRun::fail(Summary& s, const std::string& reason) const {
+  s.status = RunStatus::failed;
+  s.reason = reason;
+  s.simulated_seconds = simulation_->time();
+  s.wall_seconds = seconds_so_far();
+  try {
+    write_summary(s, directory_.path);
+  } catch (const OutputError&) {  // the failure itself is reported
+  }
+}
+
+}  // namespace gyro

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/assembly/assembly.hpp"
+#include "app/run/checkpoint.hpp"
+#include "app/run/run_log.hpp"
+#include "app/simulation/device.hpp"
+#include "app/simulation/run_output.hpp"
+#include "io/run/progress.hpp"
+#include "io/run/run_directory.hpp"
+#include "io/run/summary.hpp"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+namespace gyro {
+
+/// How a case is run.
+struct RunOptions {
+  Device device;
+  RunDirectoryRequest directory;
+  double end = 0;                      ///< simulated [s]
+  std::optional<double> max_walltime;  ///< [s]
+  bool quiet = false;                  ///< no progress and no summary
+};
+
+/// One run of a case, from its first to its last window: the loop, with output, checkpoints, log and summary.
+class CaseRun {
+ public:
+  /// Writes nothing before the case is known to be sound.
+  /// @param input  kept by reference
+  /// @param saved  state of an earlier part of the run to continue from, else null
+  /// @throws BadKey for a case that cannot be run; BadInput for a state that does not fit; NoDevice; OutputError
+  CaseRun(const Case& input, const RunOptions& options, const SavedState* saved);
+
+  /// Runs to the end, a stop of the guard or a request to stop, and writes everything.
+  RunStatus run();
+
+ private:
+  std::unique_ptr<Simulation> simulation_of(const SavedState* saved) const;
+  CaseRecord record() const;
+  void guarded_loop(Summary& summary);
+  void loop(Summary& summary);
+  /// Why the run must end before its end; null while it need not.
+  const char* stop_reason() const;
+  ProgressState progress_state() const;
+  double seconds_so_far() const;  ///< wall clock, with the run's earlier parts
+  Summary base_summary() const;
+  void finish(Summary& summary);
+  void mark_unfinished() const;
+  void fail(Summary& summary, const std::string& reason) const;
+
+  using Clock = std::chrono::steady_clock;
+  const Case& input_;
+  RunOptions options_;
+  bool resumed_;
+  Clock::time_point start_ = Clock::now();
+  Assembly assembly_;
+  std::unique_ptr<Simulation> simulation_;
+  RunDirectory directory_;
+  RunLog log_;
+  RunOutput output_;
+  CheckpointKeeper checkpoints_;
+};
+
+}  // namespace gyro

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run/run_log.hpp"
+
+#include "app/run/checkpoint.hpp"
+#include "app/version.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+namespace gyro {
+namespace {
+
+constexpr double hertz_overlap = 0.3;  // overlap / radius beyond which Hertz's law no longer describes the force
+
+}  // namespace
+
+RunLog::RunLog(std::filesystem::path directory, bool quiet)
+    : directory_(std::move(directory)), quiet_(quiet), log_(directory_ / "log.txt") {}
+
+void RunLog::notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) log_.info(note);
+}
+
+void RunLog::resumed(const Simulation& simulation, const std::string& writer) {
+  if (simulation.drivetrain()) drive_events_ = simulation.drivetrain()->state().events;
+  log_.info("resumed at t = " + std::to_string(simulation.time()) + " s from checkpoint.h5");
+  if (writer != this_program())
+    log_.warning("checkpoint.h5 was written by gyrosim " + writer + ", this is " + this_program() +
+                 ": the results may differ in the last bits from those of a run without interruption");
+}
+
+void RunLog::started(const Device& device, const StepChoice& step, const Simulation& simulation) {
+  const Counts counts = simulation.dem().counts();
+  char line[400];
+  std::snprintf(line, sizeof line,
+                "gyrosim %s (%s), %s, %d threads, step %.4g us (limit %.4g us: %s), %lld particles, %lld bonds",
+                version::number, version::git, device.name.c_str(), device.threads, step.dt * 1e6, step.limit * 1e6,
+                step.limited_by.c_str(), static_cast<long long>(counts.particles),
+                static_cast<long long>(counts.bonds_intact));
+  log_.info(line);
+  if (!quiet_) std::cerr << line << "\nresults in " << directory_.string() << "\n";
+}
+
+void RunLog::drive_fmu(const DriveFmu& fmu, const std::string& unsaveable) {
+  log_.warning("the drivetrain is native code of " + fmu.file.string() + " (" + fmu.model_name +
+               (fmu.generation_tool.empty() ? "" : ", " + fmu.generation_tool) +
+               "), which runs with the rights of this program");
+  if (fmu.needs_tool) log_.warning(fmu.file.filename().string() + " declares that it needs another program to run");
+  if (!unsaveable.empty())
+    log_.warning("this run has no checkpoints: " + unsaveable + "; --resume starts it at its beginning");
+}
+
+void RunLog::drive_events(Simulation& simulation) {
+  for (const std::string& note : simulation.take_drive_notes()) log_.warning(note);
+  if (!simulation.drivetrain() || simulation.drivetrain()->state().events == drive_events_) return;
+  const std::vector<DriveEvent> events = simulation.drivetrain()->events();
+  for (auto k = static_cast<std::size_t>(drive_events_); k < events.size(); ++k)
+    log_.warning("drive: " + to_string(events[k].kind) + " at t = " + std::to_string(events[k].time) + " s");
+  drive_events_ = simulation.drivetrain()->state().events;
+}
+
+void RunLog::stopped(const std::string& reason) {
+  log_.error(reason);
+}
+
+void RunLog::ended(const Simulation& simulation, RunStatus status) {
+  if (const double overlap = simulation.ledger().worst_overlap(); overlap > hertz_overlap) {
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "contacts overlapped by up to %.2f of the radius, far beyond the range of Hertz's law; "
+                  "a larger materials.rock.shear_modulus is closer to real rock",
+                  overlap);
+    log_.warning(line);
+  }
+  for (const auto& [phase, seconds] : simulation.dem().phase_seconds())
+    log_.info("phase " + phase + ": " + std::to_string(seconds) + " s");
+  log_.info("status " + to_string(status));
+}
+
+}  // namespace gyro

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/errors.hpp"
+#include "core/base/expect.hpp"
+#include "core/scene/new_rock.hpp"
+#include "core/state/bonds.hpp"
+#include "core/state/particles.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+template <class T>
+using HostColumn = std::vector<T>;
+
+/// Throws when two bonds of a colour share a particle: a thread block adds the forces of a colour at once.
+inline void check_colours(const NewRock& rock) {
+  const auto wrong = [&](const char* what) {
+    return BadInput("rock " + std::to_string(rock.id) + ": " + what +
+                    "; bonds must be grouped by colour: colour_begin runs from 0 to the number of bonds, and no two "
+                    "bonds of a colour share a particle");
+  };
+  const std::vector<Index>& begin = rock.colour_begin;
+  if (rock.bonds.empty()) return;
+  if (begin.empty() || begin.front() != 0 || begin.back() != static_cast<Index>(rock.bonds.size()))
+    throw wrong("its colours do not cover its bonds");
+  std::vector<Index> last_colour(rock.particles.size(), none);
+  for (std::size_t c = 0; c + 1 < begin.size(); ++c)
+    for (Index n = begin[c]; n < begin[c + 1]; ++n)
+      for (const Index end : {rock.bonds[static_cast<std::size_t>(n)].i, rock.bonds[static_cast<std::size_t>(n)].j}) {
+        Index& last = last_colour[static_cast<std::size_t>(end)];
+        if (last == static_cast<Index>(c)) throw wrong("two bonds of one colour share a particle");
+        last = static_cast<Index>(c);
+      }
+}
+
+/// Rock on its way into a scene: rows for the end of each column, put together on the host.
+template <class Real>
+class Arrivals {
+ public:
+  /// How much is in the scene already.
+  struct Present {
+    Index particles = 0, bonds = 0, blocks = 0, colours = 0;
+    bool with_bonds = false;
+  };
+
+  /// @param gravity    [m/s2]
+  /// @param exchanged  EnergyTerms::exchanged before they arrive [J]
+  Arrivals(const Present& present, const Vec3d& gravity, double exchanged)
+      : present_(present), gravity_(gravity), exchanged_(exchanged) {}
+
+  /// @throws BadInput for bonds that are not grouped by colour, or whose first particle has the higher id
+  void add(const NewRock& rock) {
+    const Index first = present_.particles + size_of(particles_.position);
+    const bool is_rock = rock.id != none;
+    const Index block = is_rock ? present_.blocks + size_of(blocks_) : none;
+    for (const NewParticle& p : rock.particles) add_particle(p, block);
+    if (!is_rock) return;
+    const Index end = first + size_of(rock.particles);
+    Block b{first, end, bond_count(), 0, colour_count(), 0, rock.id, rock.bonds.empty() ? block_broken : block_intact};
+    if (present_.with_bonds) add_bonds(rock, first);
+    b.end_bond = bond_count();
+    b.end_colour = colour_count();
+    blocks_.push_back(b);
+  }
+
+  const Particles<HostColumn>& particles() const { return particles_; }
+  const Bonds<HostColumn, Real>& bonds() const { return bonds_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+  const std::vector<Index>& colour_begin() const { return colour_begin_; }
+  std::int64_t bonds_intact() const { return bonds_intact_; }
+  double exchanged() const { return exchanged_; }  ///< EnergyTerms::exchanged with the new rock [J]
+
+ private:
+  template <class T>
+  static Index size_of(const std::vector<T>& rows) {
+    return static_cast<Index>(rows.size());
+  }
+  Index bond_count() const { return present_.bonds + size_of(bonds_.i); }
+  Index colour_count() const { return present_.colours + size_of(colour_begin_); }
+
+  void add_particle(const NewParticle& p, Index block) {
+    Particles<HostColumn>& to = particles_;
+    const double mass = p.density * (4.0 / 3) * 3.14159265358979323846 * p.radius * p.radius * p.radius;
+    to.position.push_back({p.position, p.radius});
+    to.motion.push_back({p.velocity, mass});
+    to.angular_motion.push_back({p.angular_velocity, 0.4 * mass * p.radius * p.radius});
+    Load load;
+    load.force = mass * gravity_;
+    to.load.push_back(load);
+    if (present_.with_bonds) {
+      to.orientation.push_back({1, 0, 0, 0});
+      to.bond_load.push_back({});
+    }
+    to.listed_position.push_back(p.position);
+    to.losses.push_back({});
+    to.id.push_back(p.id);
+    to.block.push_back(block);
+    exchanged_ += 0.5 * mass * norm2(p.velocity) + 0.2 * mass * p.radius * p.radius * norm2(p.angular_velocity) -
+                  mass * dot(gravity_, p.position);
+  }
+
+  void add_bonds(const NewRock& rock, Index first_particle) {
+    check_colours(rock);
+    const Index first_bond = bond_count();
+    for (const NewBond& bond : rock.bonds) add_bond(rock, bond, first_particle);
+    bonds_intact_ += static_cast<std::int64_t>(rock.bonds.size());
+    for (const Index colour : rock.colour_begin) colour_begin_.push_back(first_bond + colour);
+    while (bonds_.i.size() % bond_alignment != 0) {
+      Bonds<HostColumn, Real>::for_each_column([](const char*, auto& column) { column.push_back({}); }, bonds_);
+      bonds_.i.back() = bonds_.j.back() = first_particle;
+      bonds_.state.back() = bond_broken;
+    }
+  }
+
+  void add_bond(const NewRock& rock, const NewBond& bond, Index first_particle) {
+    const auto k = static_cast<std::size_t>(bond.i), l = static_cast<std::size_t>(bond.j);
+    GYRO_EXPECT(k < rock.particles.size() && l < rock.particles.size());
+    const NewParticle &p = rock.particles[k], &q = rock.particles[l];
+    if (p.id >= q.id)
+      throw BadInput("a bond of rock " + std::to_string(rock.id) + " joins particles " + std::to_string(p.id) +
+                     " and " + std::to_string(q.id) + " in the wrong order; the lower id must come first");
+    const Vec3d span = q.position - p.position;
+    const Vec3d axis = (1 / norm(span)) * span;
+    const auto offset = static_cast<std::size_t>(first_particle - present_.particles);
+    const double mi = particles_.motion[offset + k].mass, mj = particles_.motion[offset + l].mass;
+    const double si = particles_.angular_motion[offset + k].inertia, sj = particles_.angular_motion[offset + l].inertia;
+    Bonds<HostColumn, Real>& to = bonds_;
+    to.i.push_back(first_particle + bond.i);
+    to.j.push_back(first_particle + bond.j);
+    to.axis_x.push_back(static_cast<Real>(axis.x));
+    to.axis_y.push_back(static_cast<Real>(axis.y));
+    to.axis_z.push_back(static_cast<Real>(axis.z));
+    to.length.push_back(bond.length);
+    to.radius.push_back(static_cast<Real>(bond.radius));
+    to.arm.push_back(static_cast<Real>((bond.length + p.radius - q.radius) / (2 * bond.length)));
+    to.strength.push_back(static_cast<Real>(bond.strength));
+    to.sqrt_mass.push_back(static_cast<Real>(std::sqrt(mi * mj / (mi + mj))));
+    to.sqrt_inertia.push_back(static_cast<Real>(std::sqrt(si * sj / (si + sj))));
+    to.state.push_back(bond_intact);
+  }
+
+  Present present_;
+  Vec3d gravity_;
+  double exchanged_;
+  std::int64_t bonds_intact_ = 0;
+  Particles<HostColumn> particles_;
+  Bonds<HostColumn, Real> bonds_;
+  std::vector<Block> blocks_;
+  std::vector<Index> colour_begin_;
+};
+
+}  // namespace gyro

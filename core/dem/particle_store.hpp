@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/saved_state.hpp"
+#include "core/dem/arrivals.hpp"
+#include "core/dem/removal.hpp"
+#include "core/exec/block_launch.hpp"
+#include "core/kernels/bond_forces.hpp"
+
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace gyro {
+
+/// Owns the rock: the columns of particles and bonds, the blocks (rocks) and colours that order them, and the bonds by
+/// particle. Rows come at the end and go by shortening; their order never changes.
+template <class Exec, class Real>
+class ParticleStore {
+ public:
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+  explicit ParticleStore(bool with_bonds) : with_bonds_(with_bonds) {}
+
+  Index count() const { return static_cast<Index>(particles_.position.size()); }
+  Index bond_count() const { return static_cast<Index>(bonds_.i.size()); }
+  bool has_bonds() const { return with_bonds_; }
+
+  const Particles<Buffer>& particles() const { return particles_; }
+  const Bonds<Buffer, Real>& bonds() const { return bonds_; }
+  const Buffer<Block>& blocks() const { return blocks_; }
+
+  /// For kernels: to change rows, or only to read them.
+  ParticleView view() { return view_of<ParticleView>(particles_); }
+  ConstParticleView read() const { return view_of<ConstParticleView>(particles_); }
+  BondView<Real> bond_view() { return view_of<BondView<Real>>(bonds_); }
+  ConstBondView<Real> read_bonds() const { return view_of<ConstBondView<Real>>(bonds_); }
+  BlockList block_list() { return {blocks_.data(), colour_begin_.data()}; }
+  BondIndex bond_index() const {
+    return {with_bonds_ ? bond_row_begin_.data() : nullptr,
+            bond_row_.data(),
+            bonds_.i.data(),
+            bonds_.j.data(),
+            bonds_.state.data(),
+            blocks_.data()};
+  }
+  /// Null without bonds.
+  const std::int32_t* bond_state() const { return with_bonds_ ? bonds_.state.data() : nullptr; }
+  BlockLaunch block_launch() const {
+    const std::size_t blocks = blocks_.size(), begins = colour_begin_.size();  // a block has one more than colours
+    const std::size_t colours = begins > blocks ? begins - blocks : 1;
+    return {static_cast<Index>(blocks), static_cast<Index>(bonds_.i.size() / colours)};
+  }
+
+  typename Arrivals<Real>::Present present() const {
+    return {count(), bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
+            with_bonds_};
+  }
+  void append(const Arrivals<Real>& arrivals) {
+    const auto append_rows = [](const char*, auto& column, const auto& more) { Exec::append(column, more); };
+    ParticleView::for_each_column(append_rows, particles_, arrivals.particles());
+    BondView<Real>::for_each_column(append_rows, bonds_, arrivals.bonds());
+    Exec::append(blocks_, arrivals.blocks());
+    Exec::append(colour_begin_, arrivals.colour_begin());
+    index_bonds();
+  }
+
+  /// Removes all other particles, with their bonds.
+  void keep(const Remaining& remaining) {
+    GYRO_EXPECT(remaining.new_index.size() == static_cast<std::size_t>(count()));
+    keep_bonds(remaining);
+    ParticleView::for_each_column(
+        [&](const char*, auto& column) {
+          if (column.size() > 0) Exec::keep(column, remaining.old_index);  // some columns exist only with bonds
+        },
+        particles_);
+    index_bonds();
+  }
+
+  void save(SavedState& to) const {
+    ParticleView::for_each_column(
+        [&](const std::string& name, const auto& column) { to.put("particles/" + name, Exec::host(column)); },
+        particles_);
+    BondView<Real>::for_each_column(
+        [&](const std::string& name, const auto& column) { to.put("bonds/" + name, Exec::host(column)); }, bonds_);
+    to.put("blocks", Exec::host(blocks_));
+    to.put("colours/begin", Exec::host(colour_begin_));
+  }
+
+  /// @throws BadInput as SavedState::get
+  void restore(const SavedState& from) {
+    const std::size_t count = from.get<ParticleId>("particles/id").size(), bonds = from.get<Index>("bonds/i").size();
+    const auto restore_columns = [&](const std::string& group, std::size_t rows) {
+      return [&from, group, rows]<class Column>(const std::string& name, Column& column) {
+        using Row = std::remove_cvref_t<decltype(Exec::host(column)[0])>;
+        Exec::upload(column, from.get<Row>(group + name, rows));
+      };
+    };
+    ParticleView::for_each_common_column(restore_columns("particles/", count), particles_);
+    ParticleView::for_each_bonded_column(restore_columns("particles/", with_bonds_ ? count : 0), particles_);
+    BondView<Real>::for_each_column(restore_columns("bonds/", bonds), bonds_);
+    Exec::upload(blocks_, from.get<Block>("blocks"));
+    Exec::upload(colour_begin_, from.get<Index>("colours/begin"));
+    index_bonds();
+  }
+
+ private:
+  void keep_bonds(const Remaining& remaining) {
+    KeptBonds kept({Exec::host(bonds_.i), Exec::host(bonds_.j), Exec::host(bonds_.state), Exec::host(blocks_),
+                    Exec::host(colour_begin_)},
+                   remaining);
+    std::vector<Index> block = Exec::host(particles_.block);
+    for (Index& b : block)
+      if (b != none) b = kept.new_block[static_cast<std::size_t>(b)];
+    BondView<Real>::for_each_column([&](const char*, auto& column) { Exec::keep(column, kept.source); }, bonds_);
+    Exec::upload(bonds_.i, std::move(kept.i));
+    Exec::upload(bonds_.j, std::move(kept.j));
+    Exec::upload(bonds_.state, std::move(kept.state));
+    Exec::upload(particles_.block, std::move(block));
+    Exec::upload(blocks_, std::move(kept.blocks));
+    Exec::upload(colour_begin_, std::move(kept.colour_begin));
+  }
+
+  /// Lists the bonds of each particle.
+  void index_bonds() {
+    if (!with_bonds_) return;
+    const auto& i = Exec::host(bonds_.i);
+    const auto& j = Exec::host(bonds_.j);
+    const auto& state = Exec::host(bonds_.state);
+    const auto at = [](auto& v, Index k) -> auto& {
+      return v[static_cast<std::size_t>(k)];
+    };
+    std::vector<Index> begin(static_cast<std::size_t>(count()) + 1, 0);
+    for (std::size_t b = 0; b < i.size(); ++b)
+      if (state[b] != bond_broken) {
+        ++at(begin, i[b] + 1);
+        ++at(begin, j[b] + 1);
+      }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Index> row(static_cast<std::size_t>(begin.back())), next = begin;
+    for (std::size_t b = 0; b < i.size(); ++b)
+      if (state[b] != bond_broken) {
+        at(row, at(next, i[b])++) = static_cast<Index>(b);
+        at(row, at(next, j[b])++) = static_cast<Index>(b);
+      }
+    Exec::upload(bond_row_begin_, std::move(begin));
+    Exec::upload(bond_row_, std::move(row));
+  }
+
+  bool with_bonds_;
+  Particles<Buffer> particles_;
+  Bonds<Buffer, Real> bonds_;
+  Buffer<Block> blocks_;
+  Buffer<Index> colour_begin_;               ///< first bond of each colour; a block has one entry more than colours
+  Buffer<Index> bond_row_begin_, bond_row_;  ///< BondIndex
+};
+
+}  // namespace gyro

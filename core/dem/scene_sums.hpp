@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dem/neighbour_lists.hpp"
+#include "core/dem/scene_laws.hpp"
+#include "core/kernels/accounts.hpp"
+#include "core/scene/accounts.hpp"
+
+namespace gyro {
+
+/// Sums over a scene as it stands, for the ledger and the guard. Owns nothing; its kernels only read.
+template <class Exec, class Real>
+struct SceneSums {
+  Exec& exec;
+  const Scene& scene;
+  const SceneLaws<Exec, Real>& laws;
+  const ParticleStore<Exec, Real>& rock;
+  const NeighbourLists<Exec, Real>& lists;
+  WallsNow walls;
+
+  ParticleSums particles() const {
+    return exec.template reduce<ParticleSums>("sum particles", rock.count(),
+                                              SumParticles{rock.read(), scene.gravity, scene.hold_time()});
+  }
+  ContactSums contacts() const {
+    return exec.template reduce<ContactSums>(
+        "sum contacts", rock.count(),
+        SumContacts<Real>{rock.read(), lists.pairs().read(), lists.walls().read(), walls, laws.rock(), laws.walls(),
+                          laws.rock_model(), laws.wall_model()});
+  }
+  BondSums bonds() const {
+    if (!rock.has_bonds()) return {};
+    return exec.template reduce<BondSums>("sum bonds", rock.bond_count(),
+                                          SumBonds<Real>{rock.read(), rock.read_bonds(), laws.bond()});
+  }
+
+  /// @param booked  energies of what has left, of events and of walls
+  EnergyTerms energy(const EnergyTerms& booked) const {
+    const ParticleSums sums = particles();
+    EnergyTerms e = booked;
+    e.kinetic = sums.kinetic;
+    e.potential = sums.potential;
+    e.contact_elastic = contacts().elastic;
+    e.bond_elastic = bonds().elastic;
+    e.contact_damping += sums.lost.contact_damping;
+    e.friction += sums.lost.contact_slip + sums.lost.bond_slip;
+    e.bond_damping += sums.lost.bond_damping;
+    return e;
+  }
+
+  Extremes extremes(bool with_bonds) const {
+    const ParticleSums sums = particles();
+    const ContactSums contact = contacts();
+    const BondSums bond = with_bonds ? bonds() : BondSums{};
+    Extremes x;
+    x.finite = sums.not_finite == 0;
+    x.culprit = x.finite ? contact.culprit : sums.culprit;
+    x.partner = contact.partner;
+    x.wall = contact.wall;
+    x.overlap_ratio = contact.overlap_ratio;
+    x.speed_ratio = sums.overspeed;
+    x.fastest = sums.fastest;
+    x.rotation = sums.rotation;
+    x.fastest_rotating = sums.fastest_rotating;
+    x.bond_rotation = bond.rotation;
+    x.twisted = bond.twisted;
+    return x;
+  }
+};
+
+}  // namespace gyro

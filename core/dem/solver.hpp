@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/errors.hpp"
+#include "core/dem/monitor.hpp"
+#include "core/dem/scene_sums.hpp"
+#include "core/dem/snapshots.hpp"
+#include "core/dem/wall_accounts.hpp"
+#include "core/dem/wall_motion.hpp"
+#include "core/kernels/gather.hpp"
+#include "core/kernels/move.hpp"
+#include "core/kernels/pair_forces.hpp"
+#include "core/scene/dem.hpp"
+
+#include <string>
+#include <utility>
+
+namespace gyro {
+
+/// The discrete element method on an executor (Cpu, Cuda), with the loads in Real: the order of a step and of a window.
+/// Each part owns its data; nothing here reads an element of a buffer.
+template <class Exec, class Real>
+class DemSolver final : public Dem {
+ public:
+  DemSolver(Scene scene, Exec exec)
+      : scene_(std::move(scene)),
+        exec_(std::move(exec)),
+        laws_(scene_),
+        rock_(scene_.bonds.has_value()),
+        lists_(scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()), keeps_extra_history(laws_.wall_model())),
+        walls_(scene_.walls),
+        accounts_(scene_.walls.size(), scene_.wall_impulses) {}
+
+  void insert(std::span<const NewRock> rocks) override;
+  void remove(std::span<const ParticleId> ids) override;
+  void advance(const Window& window, const MantlePath& path) override;
+
+  std::vector<WallPose> wall_poses() const override { return walls_.poses(); }
+  std::vector<WallLoad> wall_loads() const override { return accounts_.loads(); }
+  EnergyTerms energy() const override { return sums().energy(monitor_.energies()); }
+  Extremes extremes() const override;
+  Counts counts() const override;
+  Vec3d momentum() const override { return sums().particles().momentum; }
+  ParticleSnapshot particles() const override { return particle_snapshot(rock_, scene_.gravity); }
+  BondSnapshot bonds() const override { return bond_snapshot(exec_, rock_, laws_.bond()); }
+  std::vector<Breakage> take_breakages() override { return monitor_.take_breakages(); }
+  std::vector<WallImpulse> take_wall_impulses() override { return accounts_.take_impulses(); }
+  std::vector<std::pair<std::string, double>> phase_seconds() const override { return exec_.timer().seconds(); }
+  SavedState save() const override;
+  void restore(const SavedState& saved) override;
+
+ private:
+  /// Where a step lies in its hold, and its hold in the window.
+  struct StepInHold {
+    bool first;  ///< contact and wall forces are evaluated
+    bool last;   ///< in the last hold of the window: half of its impulse belongs to the next
+  };
+
+  void step(std::int64_t number, const StepInHold& hold);
+  void move();
+  void watch();
+  void rebuild_lists();
+  void bond_forces(std::int64_t number);
+  void contact_forces(double half_hold_offset, double carry_over);
+  template <bool held>
+  void launch_contacts(double half_hold_offset, double carry_over);
+  void gather(bool contacts_are_new, bool kick);
+  void prime();
+  void close_window(const Window& window);
+  void keep_excess();
+
+  SceneSums<Exec, Real> sums() const { return {exec_, scene_, laws_, rock_, lists_, walls_.now()}; }
+  typename WallAccounts<Exec>::Rock where_rock_is() const { return {rock_.particles().position, rock_.particles().id}; }
+  double half_hold_offset() const { return 0.5 * (scene_.substeps - 1) * scene_.dt; }  ///< to the middle of a hold [s]
+  /// Share of a hold that lies in the next window's first half kick.
+  double carry_over_fraction() const { return 0.5 / scene_.substeps; }
+
+  Scene scene_;
+  mutable Exec exec_;  ///< kernels that only read change nothing but its timers
+  SceneLaws<Exec, Real> laws_;
+  ParticleStore<Exec, Real> rock_;
+  NeighbourLists<Exec, Real> lists_;
+  WallMotion<Exec> walls_;
+  WallAccounts<Exec> accounts_;
+  Monitor<Exec> monitor_;
+  typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this hold; empty when a hold is one step
+  bool primed_ = false;                        ///< the particles have the loads of their present positions
+};
+
+}  // namespace gyro
+
+#include "core/dem/exchange.hpp"
+#include "core/dem/step.hpp"

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace gyro {
+
+/// Normal force law of a pair of materials; the laws are in core/laws/contact.
+enum class NormalModel : std::int32_t { hertz, hysteretic };
+
+/// Law of rolling resistance of a pair of materials. `off` is taken where the coefficient is zero.
+enum class RollingModel : std::int32_t { off, constant, spring_dashpot };
+
+/// Contact law of a pair of materials.
+struct ContactModel {
+  NormalModel normal = NormalModel::hertz;
+  RollingModel rolling = RollingModel::constant;
+
+  friend bool operator==(const ContactModel&, const ContactModel&) = default;
+};
+
+}  // namespace gyro

@@ -1,0 +1,48 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws pictures of runs and benchmarks, all in one style.
+
+Usage:
+  plot.py series RUNDIR                        speed, power, broken bonds, discharged mass over time
+  plot.py machine RUNDIR [--from SECONDS]      torque over angle, radial force, maps of the liners
+  plot.py drives RUNDIR... [--smooth SECONDS]  speed and power of several runs
+  plot.py accuracy BENCH.json                  work against error
+  plot.py library LIBRARY.json                 particles and bonds of rock libraries
+
+--out FILE.png (or .svg, .pdf) names the picture; `plot.py COMMAND --help` has all options. Needs python3-matplotlib,
+and python3-h5py to read runs.
+"""
+import argparse
+import importlib
+import sys
+
+try:
+    from plotting import style
+except ModuleNotFoundError as missing:
+    sys.exit(f"plot.py: Python has no {missing.name}; install python3-{missing.name} and use /usr/bin/python3")
+
+COMMANDS = {
+    "series": "speed, power, broken bonds and discharged mass of a run over time",
+    "machine": "torque over angle, radial force and maps of the liners of a run",
+    "drives": "speed and power of several runs over time",
+    "accuracy": "work against error of a benchmark",
+    "library": "particles and bonds of rock libraries, beside the reference paper",
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Draws pictures of runs and benchmarks.")
+    commands = parser.add_subparsers(dest="command", required=True)
+    modules = {name: importlib.import_module(f"plotting.{name}") for name in COMMANDS}
+    for name, module in modules.items():
+        module.add_arguments(commands.add_parser(name, help=COMMANDS[name], description=module.__doc__))
+    arguments = parser.parse_args()
+    style.use_style()
+    try:
+        modules[arguments.command].draw(arguments)
+    except style.PlotError as error:
+        sys.exit(f"plot.py {arguments.command}: {error}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The coupled run as a library: setups filled by hand, without a case file.
+#include "app/simulation/simulation.hpp"
+#include "app/simulation/time_step.hpp"
+#include "core/dem/make_dem.hpp"
+#include "core/rocks/library.hpp"
+#include "mbd/drivetrain.hpp"
+#include "tests/catch.hpp"
+
+#include <cmath>
+
+using namespace gyro;
+
+namespace {
+
+/// A floor and one bonded rock of 60 mm in the air above it.
+Setup dropped_rock(double height) {
+  Setup setup;
+  Scene& scene = setup.scene;
+  scene.materials = {{"rock", 2600, 557e6, 0.35}, {"steel", 7800, 70e9, 0.3}};
+  scene.pairs = {{0.5, 0.2, 0}, {0.7, 0.25, 0}, {0.7, 0.25, 0}, {0, 1, 0}};
+  scene.bonds = BondParameters{1.67e12, 6.67e11, 36e6, 24e6, 0.05, 0, 0};
+  scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
+  LibraryRecipe recipe;
+  recipe.shapes = ProceduralShapes{1};
+  recipe.sizes = PassingTable{{{0.059, 0}, {0.061, 1}}};
+  recipe.samples = 1;
+  recipe.fill = MonoFill{4};
+  recipe.rock_density = 2600;
+  recipe.bond_rule = {0.05, RelativeBondRadius{0.5}};
+  recipe.bond_parameters = *scene.bonds;
+  recipe.bed = bed_contacts(scene);
+  setup.library = make_library(recipe);
+  setup.feed = FeedPlan{};
+  setup.feed->fixed = {{0, {0, 0, height}}};
+  set_step(setup);
+  return setup;
+}
+
+Simulation simulation_of(const Setup& setup) {
+  return {setup, make_cpu_dem(setup.scene, Precision::double_, 1)};
+}
+
+double lowest(const Simulation& run) {
+  const ParticleSnapshot s = run.dem().particles();
+  double low = 1e300;
+  for (std::size_t k = 0; k < s.size(); ++k) low = std::min(low, s.position[k].z - s.radius[k]);
+  return low;
+}
+
+/// Why a setup is refused, and which part is to blame.
+std::pair<std::string, SetupPart> refusal(const Setup& setup) {
+  try {
+    simulation_of(setup);
+  } catch (const BadSetup& bad) {
+    return {bad.what(), bad.part};
+  }
+  return {"", SetupPart::scene};
+}
+
+}  // namespace
+
+TEST_CASE("A bonded rock falls freely without a case file", "[simulation]") {
+  const Setup setup = dropped_rock(0.5);
+  Simulation run(setup, make_cpu_dem(setup.scene, Precision::double_, 1));
+  const double start = lowest(run);
+  CHECK(run.bonds_initial() > 20);
+  CHECK(run.fragments() == 1);
+  while (run.time() < 0.1) run.advance();
+  CHECK(lowest(run) - start == Approx(-0.5 * 9.81 * run.time() * run.time()).epsilon(1e-6));
+  CHECK(run.ledger().residual_fraction() == Approx(0).margin(1e-9));
+  CHECK_FALSE(run.verdict());
+}
+
+TEST_CASE("A rock dropped from 20 m breaks, and its breakages come window by window", "[simulation]") {
+  Setup setup = dropped_rock(20);
+  setup.inspection_interval = 0;
+  Simulation run(setup, make_cpu_dem(setup.scene, Precision::double_, 4));
+  std::size_t breakages = 0;
+  double last = 0;
+  while (run.time() < 2.1) {
+    const WindowResult window = run.advance();
+    CHECK_FALSE(window.inspected);
+    for (const Breakage& b : window.breakages) {
+      CHECK(b.time >= last);
+      CHECK(b.time <= run.time());
+      last = b.time;
+    }
+    breakages += window.breakages.size();
+  }
+  const Counts counts = run.dem().counts();
+  CHECK(breakages > 0);
+  CHECK(static_cast<std::int64_t>(breakages) == counts.broken_tension + counts.broken_shear);
+  CHECK(run.fragments() == 1);  // not inspected since the start
+  run.inspect();
+  CHECK(run.fragments() > 1);
+}
+
+TEST_CASE("Inspections come at their interval, and product is counted and removed without any output", "[simulation]") {
+  Setup setup = dropped_rock(0.05);
+  setup.scene.walls.clear();
+  setup.discharge = Discharge{0.1};
+  setup.inspection_interval = 2.2e-3;
+  Simulation run(setup, make_cpu_dem(setup.scene, Precision::double_, 1));
+  const double window = setup.steps_per_window * setup.scene.dt;
+  const double mass = run.holdup();
+  int inspections = 0;
+  while (run.time() < 0.3) {
+    const double before = run.time();
+    const WindowResult result = run.advance();
+    inspections += result.inspected;
+    const bool due = std::floor(run.time() / 2.2e-3 + 1e-9) > std::floor(before / 2.2e-3 + 1e-9);
+    CHECK(result.inspected == due);
+  }
+  CHECK(window == Approx(0.5e-3));
+  CHECK(inspections == 136);
+  CHECK(run.product()->state().mass == Approx(mass));
+  CHECK(run.dem().counts().particles == 0);
+  CHECK(run.mass_count().residual() == 0);
+}
+
+TEST_CASE("A driven mantle needs no case file, and its energy account closes", "[simulation]") {
+  Setup setup;
+  Scene& scene = setup.scene;
+  scene.materials = {{"rock", 2600, 557e6, 0.35}};
+  scene.pairs = {{0.5, 0.2, 0}};
+  // A cone below its pivot, and a sphere that lies on a floor beside it.
+  const TriangleMesh cone{{{0, 0, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, 0, 0}, {0, -0.1, 0}},
+                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}};
+  scene.walls = {{"mantle", cone, GyrationMotion{0.005, 1.0}, 0},
+                 {"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 0}};
+  NewRock sphere;
+  sphere.id = none;
+  sphere.particles.push_back({0, {0.1265, 0, 0.02}, {0, 0, 0}, {0, 0, 0}, 0.02, 2600});
+  setup.start = {sphere};
+  const StepChoice step = set_step(setup, {.window = 0.25e-3});
+  CHECK(step.steps_per_window == setup.steps_per_window);
+  CHECK(step.dt < 0.7 * step.limit * (1 + 1e-12));
+  DrivetrainParameters drive;
+  drive.motor = DroopMotor{.synchronous_speed = 60, .stall_torque = 10};
+  drive.eccentric_inertia = 0.5;
+  Simulation run(setup, make_cpu_dem(scene, Precision::double_, 1), Drivetrain(drive));
+  double work = 0;
+  while (run.time() < 0.3) work += run.advance().load.work;
+  CHECK(run.drivetrain()->state().rock_work == Approx(work));
+  CHECK(work > 1e-3);
+  CHECK(std::abs(run.drivetrain()->energy_residual()) < 0.01 * work);
+  CHECK_FALSE(run.verdict());
+}
+
+TEST_CASE("A saved simulation continues bit for bit", "[simulation]") {
+  Setup setup = dropped_rock(0.06);
+  setup.discharge = Discharge{0};
+  Simulation whole(setup, make_cpu_dem(setup.scene, Precision::mixed, 1));
+  while (whole.time() < 0.02) whole.advance();
+  const SavedState saved = whole.save();
+  Simulation part(setup, make_cpu_dem(setup.scene, Precision::mixed, 1), {}, &saved);
+  CHECK(part.time() == whole.time());
+  while (whole.time() < 0.04) {
+    const WindowResult a = whole.advance(), b = part.advance();
+    CHECK(a.inspected == b.inspected);
+  }
+  const ParticleSnapshot a = whole.dem().particles(), b = part.dem().particles();
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) CHECK(a.position[k].z == b.position[k].z);
+  CHECK(whole.ledger().energy().residual() == part.ledger().energy().residual());
+  CHECK(whole.momentum().residual() == part.momentum().residual());
+  setup.scene.dt *= 0.5;
+  CHECK_THROWS_WITH(Simulation(setup, make_cpu_dem(setup.scene, Precision::mixed, 1), {}, &saved),
+                    Catch::Matchers::Contains("was written with a time step"));
+}
+
+TEST_CASE("A setup that cannot be run is refused, with the part to blame", "[simulation]") {
+  const Setup good = dropped_rock(0.5);
+  CHECK(refusal(good).first.empty());
+  const auto part = [&](auto change) {
+    Setup bad = good;
+    change(bad);
+    const auto [problem, blamed] = refusal(bad);
+    CAPTURE(problem);
+    CHECK_FALSE(problem.empty());
+    return blamed;
+  };
+  CHECK(part([](Setup& s) { s.scene.pairs.pop_back(); }) == SetupPart::scene);
+  CHECK(part([](Setup& s) { s.scene.rock_material = 2; }) == SetupPart::scene);
+  CHECK(part([](Setup& s) { s.scene.walls[0].material = 7; }) == SetupPart::scene);
+  CHECK(part([](Setup& s) { s.scene.materials[0].density = 0; }) == SetupPart::scene);
+  CHECK(part([](Setup& s) { s.scene.dt = 0; }) == SetupPart::step);
+  CHECK(part([](Setup& s) { s.scene.substeps = 2, s.steps_per_window = 3; }) == SetupPart::step);
+  CHECK(part([](Setup& s) { s.inspection_interval = -1; }) == SetupPart::step);
+  CHECK(part([](Setup& s) { s.feed->fixed[0].position.z = 0; }) == SetupPart::feed);
+  CHECK(part([](Setup& s) { s.feed->initial = 5; }) == SetupPart::feed);
+  CHECK(part([](Setup& s) {
+          NewRock rock;
+          rock.id = none;
+          rock.particles.push_back({0, {0, 0, -1}, {0, 0, 0}, {0, 0, 0}, 0.01, 2600});
+          s.start = {rock};
+        }) == SetupPart::start);
+}
+
+TEST_CASE("A step that is asked for must be below its limit", "[simulation]") {
+  Setup setup = dropped_rock(0.5);
+  const double limit = set_step(setup).limit;
+  CHECK_NOTHROW(set_step(setup, {.step = 0.7 * limit}));
+  CHECK_THROWS_WITH(set_step(setup, {.step = 0.71 * limit}), Catch::Matchers::Contains("of the stability limit"));
+  setup.scene.substeps = 1000;
+  CHECK_THROWS_WITH(set_step(setup), Catch::Matchers::Contains("sub-steps would hold contact forces"));
+}
