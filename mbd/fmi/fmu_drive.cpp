@@ -282,7 +282,8 @@ std::vector<std::uint8_t> FmuDrive::save() const {
 void FmuDrive::restore(std::span<const std::uint8_t> bytes) {
   const auto must = [&](fmi2Status status) {
     fatal_ = fatal_ || status == fmi2Fatal;
-    if (!fine(status)) throw BadInput("has a state that the drivetrain FMU refuses; use the FMU that saved it");
+    if (!fine(status))
+      throw BadInput("has a state that the drivetrain FMU refuses; use the FMU that saved it");
   };
   if (saved_ != nullptr) must(library_.free_state(component_, &saved_));
   saved_ = nullptr;
