@@ -42,7 +42,7 @@ TEST_CASE("What is no FMI 2.0 co-simulation for this platform is refused with th
       {"modelIdentifier=\"flywheel\"", "modelIdentifier=\"../flywheel\"", "with a slash"},
       {"valueReference=\"1\"", "", "without valueReference"},
       {"</ModelVariables>", "", "is not XML"},
-      {"fmiModelDescription", "somethingElse", "no XML"},
+      {"fmiModelDescription", "somethingElse", "not XML"},
   }));
   const ScratchDirectory place;
   const auto file = place.path() / "foreign.fmu";

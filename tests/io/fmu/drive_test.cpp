@@ -83,7 +83,7 @@ void check_equal(const Drivetrain& a, const Drivetrain& b) {
   REQUIRE(t.wall_angle == Approx(s.wall_angle).epsilon(close).margin(close));
   REQUIRE(t.spin == Approx(s.spin).epsilon(close).margin(close));
   REQUIRE(t.spin_angle == Approx(s.spin_angle).epsilon(close).margin(close));
-  REQUIRE(b.means().motor_speed == Approx(a.means().motor_speed).epsilon(1e-9).margin(1e-9));
+  REQUIRE(b.motor_speed() == Approx(a.motor_speed()).epsilon(1e-9).margin(1e-9));
   REQUIRE(b.means().motor_torque == Approx(a.means().motor_torque).epsilon(1e-9).margin(1e-6));
   REQUIRE(b.means().motor_power == Approx(a.means().motor_power).epsilon(1e-9).margin(1e-4));
   REQUIRE(b.means().loss_power == Approx(a.means().loss_power).epsilon(1e-9).margin(1e-4));

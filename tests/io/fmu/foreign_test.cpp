@@ -63,6 +63,16 @@ TEST_CASE("A foreign drivetrain without saved state follows the built-in one wit
   CHECK_THAT(other.unsaveable(), Contains("cannot save its state") && Contains("canGetAndSetFMUstate is false"));
 }
 
+TEST_CASE("A foreign drivetrain that gives the motor's angle but not its speed has no speed at a moment") {
+  FmuLinks links{};
+  links[static_cast<std::size_t>(FmuQuantity::motor_angle)] = FmuLink{};
+  links[static_cast<std::size_t>(FmuQuantity::motor_torque)] = FmuLink{};
+  CHECK(!knowledge_of(links).motor_speed);
+  CHECK(knowledge_of(links).motor_power);  // torque x gain of angle
+  links[static_cast<std::size_t>(FmuQuantity::motor_speed)] = FmuLink{};
+  CHECK(knowledge_of(links).motor_speed);
+}
+
 TEST_CASE("A foreign drivetrain that is stopped by the rock has stalled") {
   const ScratchDirectory place;
   Drivetrain drive(open_drive(foreign(place.path() / "foreign.fmu")), 0);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/simulation/readings.hpp"
+#include "app/output/steady_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -68,36 +69,15 @@ std::optional<SteadyState> steady_state(const std::vector<GyrationMeans>& gyrati
 }
 
 void GyrationReader::add(double time, double length, double angle, double power, double holdup, double discharged) {
-  if (summed_ == 0) now_.begin = time - length;
-  summed_ += length;
-  now_.power += power * length;
-  now_.holdup += holdup * length;
+  State& s = state_;
+  if (s.length == 0) s.begin = time - length;
+  s.length += length;
+  s.power += power * length;
+  s.holdup += holdup * length;
   const double turns = std::floor(std::abs(angle) / (2 * std::numbers::pi));
-  if (turns <= turns_) return;
-  now_.end = time;
-  now_.power /= summed_;
-  now_.holdup /= summed_;
-  now_.discharged = discharged - discharged_;
-  done_.push_back(now_);
-  now_ = {};
-  summed_ = 0;
-  turns_ = turns;
-  discharged_ = discharged;
-}
-
-void GyrationReader::save(SavedState& to) const {
-  to.put("gyrations/done", done_);
-  to.put_one("gyrations/now", now_);
-  to.put("gyrations/sums", std::vector<double>{summed_, turns_, discharged_});
-}
-
-void GyrationReader::restore(const SavedState& from) {
-  done_ = from.get<GyrationMeans>("gyrations/done");
-  now_ = from.get_one<GyrationMeans>("gyrations/now");
-  const std::vector<double> sums = from.get<double>("gyrations/sums", 3);
-  summed_ = sums[0];
-  turns_ = sums[1];
-  discharged_ = sums[2];
+  if (turns <= s.turns) return;
+  s.done.push_back({s.begin, time, s.power / s.length, s.holdup / s.length, discharged - s.discharged});
+  s = {.done = std::move(s.done), .turns = turns, .discharged = discharged};
 }
 
 }  // namespace gyro

@@ -15,10 +15,17 @@ struct GyrationMeans {
   double power = 0;           ///< crushing [W]
   double holdup = 0;          ///< [kg]
   double discharged = 0;      ///< in this gyration [kg]
-};
 
-template <>
-struct RowOf<GyrationMeans> : MadeOf<double> {};
+  template <class F, class... G>
+  static constexpr void for_each_field(F&& f, G&... g) {
+    f("begin", g.begin...);
+    f("end", g.end...);
+    f("power", g.power...);
+    f("holdup", g.holdup...);
+    f("discharged", g.discharged...);
+  }
+};
+static_assert(declares_every_field<GyrationMeans>);
 
 /// What a crusher shows while it runs as it did before.
 struct SteadyState {
@@ -46,17 +53,32 @@ class GyrationReader {
  public:
   /// @param angle  of the eccentric at the window's end [rad]
   void add(double time, double length, double angle, double power, double holdup, double discharged_so_far);
-  const std::vector<GyrationMeans>& gyrations() const { return done_; }
+  const std::vector<GyrationMeans>& gyrations() const { return state_.done; }
 
-  void save(SavedState& to) const;
-  void restore(const SavedState& from);
+  void save(SavedState& to) const { to.put_one("gyrations", state_); }
+  void restore(const SavedState& from) { state_ = from.get_one<State>("gyrations"); }
 
  private:
-  GyrationMeans now_;
-  std::vector<GyrationMeans> done_;
-  double summed_ = 0;      ///< [s]
-  double turns_ = 0;       ///< whole ones, at the begin of this gyration
-  double discharged_ = 0;  ///< by then [kg]
+  struct State {
+    std::vector<GyrationMeans> done;
+    double begin = 0;              ///< of the present gyration [s]
+    double length = 0;             ///< of its windows so far [s]
+    double power = 0, holdup = 0;  ///< sums of value x window length in it [J], [kg s]
+    double turns = 0;              ///< whole turns at its begin
+    double discharged = 0;         ///< mass discharged by its begin [kg]
+
+    template <class F, class... S>
+    static constexpr void for_each_field(F&& f, S&... s) {
+      f("done", s.done...);
+      f("begin", s.begin...);
+      f("length", s.length...);
+      f("power", s.power...);
+      f("holdup", s.holdup...);
+      f("turns", s.turns...);
+      f("discharged", s.discharged...);
+    }
+  };
+  State state_;
 };
 
 }  // namespace gyro

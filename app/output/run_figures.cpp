@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/simulation/run_figures.hpp"
+#include "app/output/run_figures.hpp"
 
-#include "app/simulation/readings.hpp"
+#include "app/output/steady_state.hpp"
 
 namespace gyro {
 namespace {

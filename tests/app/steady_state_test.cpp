@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/simulation/readings.hpp"
+#include "app/output/steady_state.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>
