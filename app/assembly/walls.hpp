@@ -14,8 +14,8 @@ namespace gyro {
 
 /// A wall as snapshots show it.
 struct WallPicture {
-  MeshShape mesh;  ///< body frame
-  Index wall;      ///< in the scene
+  TriangleMesh mesh;  ///< body frame
+  Index wall;         ///< in the scene
 };
 
 /// The walls of a case, with the mantle at its setting.

@@ -2,7 +2,7 @@
 #include "app/assembly/assembly.hpp"
 #include "app/commands/commands.hpp"
 #include "core/base/errors.hpp"
-#include "io/run/library_file.hpp"
+#include "io/rocks/library_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -54,7 +54,7 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   const RockLibrary& library = assembly.setup.library;
   if (out) {
     make_directory(*out);
-    write_library(library, *out);
+    write_library(library, *out / "library.h5");
     write_library_preview(library, *out);
   }
   const SizeDistribution sizes(input->rocks->sizes);

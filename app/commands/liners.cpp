@@ -2,7 +2,7 @@
 #include "app/assembly/walls.hpp"
 #include "app/commands/commands.hpp"
 #include "core/base/errors.hpp"
-#include "core/geometry/stl_file.hpp"
+#include "io/mesh/stl.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,10 +29,10 @@ double eccentric_speed(const Case& input) {
 /// The liners with the mantle centred and lifted to the setting, so that a case can use the files as they are.
 void write_liners(const MeshLiners& liners, const std::filesystem::path& folder) {
   make_directory(folder);
-  write_stl((folder / "concave.stl").string(), {liners.concave.vertices, liners.concave.triangles});
-  MeshShape mantle = liners.mantle;
+  write_stl((folder / "concave.stl").string(), liners.concave);
+  TriangleMesh mantle = liners.mantle;
   for (Vec3d& v : mantle.vertices) v.z += liners.motion.lift;
-  write_stl((folder / "mantle.stl").string(), {mantle.vertices, mantle.triangles});
+  write_stl((folder / "mantle.stl").string(), mantle);
 }
 
 void print_settings(double closed, double open, double stroke) {

@@ -9,6 +9,7 @@
 #include "core/scene/scene.hpp"
 #include "core/walls/liners.hpp"
 #include "io/fmu/drive_fmu.hpp"
+#include "io/rocks/shape_files.hpp"
 #include "mbd/drivetrain_parameters.hpp"
 
 #include <cstdint>
@@ -63,7 +64,7 @@ struct CaseBonds {
 
 /// `rocks`: the library of meta-particles.
 struct CaseRocks {
-  std::variant<ProceduralShapes, ShapeFiles, CylinderSpecimen> shapes;  ///< paths are absolute
+  ShapeSource shapes;  ///< paths are absolute
   SizeLaw sizes;
   int samples = 24;  ///< rocks in the library
   FillRule fill;

@@ -170,7 +170,7 @@ vtkNew<vtkPolyData> bond_data(const BondSnapshot& s, const ParticleSnapshot& par
 }
 
 vtkNew<vtkPolyData> wall_data(std::span<const PosedWall> walls) {
-  MeshShape all;
+  TriangleMesh all;
   WallOfTriangle wall_of_triangle;
   for (const PosedWall& wall : walls) {
     const auto first = static_cast<Index>(all.vertices.size());

@@ -13,8 +13,8 @@ namespace gyro {
 
 /// A wall as it stands in the world at the time of a snapshot.
 struct PosedWall {
-  MeshShape mesh;  ///< world frame
-  Index wall;      ///< number in Scene::walls
+  TriangleMesh mesh;  ///< world frame
+  Index wall;         ///< number in Scene::walls
 };
 
 /// What a frame shows; an empty part writes no file and gets no index.

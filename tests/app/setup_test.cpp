@@ -30,7 +30,7 @@ Setup dropped_rock(double height) {
   recipe.bond_rule = {0.05, RelativeBondRadius{0.5}};
   recipe.bond_parameters = *scene.bonds;
   recipe.bed = bed_contacts(scene);
-  setup.library = make_library(recipe, "");
+  setup.library = make_library(recipe);
   setup.feed = FeedPlan{};
   setup.feed->fixed = {{0, {0, 0, height}}};
   set_step(setup);
@@ -125,8 +125,8 @@ TEST_CASE("A driven mantle needs no case file, and its energy account closes", "
   scene.materials = {{"rock", 2600, 557e6, 0.35}};
   scene.pairs = {{0.5, 0.2, 0}};
   // A pyramid below its pivot, and a sphere on a floor that it reaches after half a revolution.
-  const MeshShape cone{{{0, 0, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, 0, 0}, {0, -0.1, 0}},
-                       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}};
+  const TriangleMesh cone{{{0, 0, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, 0, 0}, {0, -0.1, 0}},
+                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}};
   scene.walls = {{"mantle", cone, GyrationMotion{0.005, 1.0}, 0},
                  {"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 0}};
   NewRock sphere;

@@ -122,8 +122,8 @@ Setup spheres_on_walls(Precision precision) {
   Scene scene = golden_scene(precision, 2e-6);
   scene.walls = {{"tube", ProfileShape{{{0.03, 0}, {0.07, 0}, {0.07, 0.2}}}, Fixed{}, 1},
                  {"wedge",
-                  MeshShape{{{-0.05, -0.06, 0}, {0.05, -0.06, 0}, {0.05, 0, 0.02}, {-0.05, 0, 0.02}, {0, 0.05, 0}},
-                            {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}},
+                  TriangleMesh{{{-0.05, -0.06, 0}, {0.05, -0.06, 0}, {0.05, 0, 0.02}, {-0.05, 0, 0.02}, {0, 0.05, 0}},
+                               {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}},
                   LinearMotion{{0, 0, 0.5}}, 1}};
   std::vector<NewRock> rocks = cloud({{5, 5, 4}, 0.02, 0.009, 1.0});
   for (std::size_t k = 0; k < rocks.size(); ++k) {
