@@ -59,10 +59,13 @@ ALLOWED = {
     "io/run": (*DATA, "mbd/", "io/hdf5/", "io/run/"),
     "io/rocks": (*DATA, "io/mesh/", "io/hdf5/", "io/run/", "io/rocks/"),
     "app": (*PROGRAM, "app/"),
-    "app/simulation": (*PROGRAM, "app/simulation/"),
+    "app/simulation": ("core/", "mbd/", "gpu/", "app/simulation/"),  # a library: no case files, no output files
+    "app/assembly": (*PROGRAM, "app/simulation/", "app/assembly/"),
+    "app/output": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/"),
+    "app/run": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/"),
     "app/verify": (*PROGRAM, "app/simulation/", "app/verify/"),
-    "app/bench": (*PROGRAM, "app/simulation/", "app/bench/"),
-    "app/examples": ("core/", "gpu/", "mbd/", "app/examples/"),  # what a user of the installed library sees
+    "app/bench": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/", "app/bench/"),
+    "app/examples": ("core/", "gpu/", "mbd/", "app/simulation/", "app/examples/"),  # what a user of the installed library sees
 }
 
 # Headers that a folder may not include although their folder is allowed: path prefixes, and what they are.

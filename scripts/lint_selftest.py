@@ -61,12 +61,15 @@ ARROWS = {
     "io/mesh": f"{DATA} io/mesh",
     "io/run": f"{DATA} mbd io/hdf5 io/run",
     "io/rocks": f"{DATA} io/mesh io/hdf5 io/run io/rocks",
-    "app/simulation": f"{CORE} gpu mbd {IO} app/simulation",
+    "app/simulation": f"{CORE} gpu mbd app/simulation",
+    "app/assembly": f"{CORE} gpu mbd {IO} app/simulation app/assembly",
+    "app/output": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output",
+    "app/run": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run",
     "app/verify": f"{CORE} gpu mbd {IO} app/simulation app/verify",
-    "app/bench": f"{CORE} gpu mbd {IO} app/simulation app/bench",
-    "app/examples": f"{CORE} gpu mbd app/examples",
-    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
-    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
+    "app/bench": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/bench",
+    "app/examples": f"{CORE} gpu mbd app/simulation app/examples",
+    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/verify app/bench app/examples app/commands app/command_line",
+    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/verify app/bench app/examples app/commands app/command_line",
 }
 
 
