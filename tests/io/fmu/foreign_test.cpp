@@ -112,7 +112,7 @@ TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
   const ModelDescription model = read_fmu(fmu.file);
   CHECK(!history_of(model));
   CHECK_THROWS_WITH(link_to(model, FmuQuantity::tripped, "tau"),
-                    Contains("\"tau\" is no boolean output (Real, output); boolean outputs of the FMU are off"));
+                    Contains("\"tau\" is not a boolean output (Real, output); boolean outputs of the FMU are off"));
   fmu.links[static_cast<std::size_t>(FmuQuantity::tripped)] = link_to(model, FmuQuantity::tripped, "off");
   fmu.starts = {start_of(model, "trip_at", 0.0101)};
   const auto drive = open_drive(fmu);
