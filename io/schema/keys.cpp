@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/schema/keys.hpp"
+#include "core/scene/contact_model.hpp"
 
 namespace gyro {
 namespace {
@@ -43,9 +44,9 @@ const std::vector<Key> material_keys = {
      .doc = "Coefficient of restitution of a normal impact of two particles."},
     {.path = "contacts.<pair>.rolling_friction", .type = quantity, .fallback = "0", .range = not_negative,
      .doc = "Largest rolling torque / (effective radius x normal force)."},
-    {.path = "contacts.<pair>.normal", .type = word, .fallback = "hertz", .words = "hertz|hysteretic",
+    {.path = "contacts.<pair>.normal", .type = word, .fallback = "hertz", .words = normal_model_words,
      .doc = "Normal force: Hertz's with a dashpot, or a linear spring that unloads more steeply than it loads."},
-    {.path = "contacts.<pair>.rolling", .type = word, .fallback = "constant", .words = "constant|spring_dashpot",
+    {.path = "contacts.<pair>.rolling", .type = word, .fallback = "constant", .words = rolling_model_words,
      .doc = "Rolling resistance: a constant torque, or a spring and a dashpot up to the same torque."},
 
     {.path = "bonds", .one_of = "normal_stiffness+shear_stiffness|modulus+stiffness_ratio",
