@@ -62,8 +62,8 @@ MantlePath Drivetrain::predict(const Window& window) {
     path.angle = drive_->start_angle() + state_.speed * window.begin();
     path.speed = state_.speed;
   } else {
-    // A stuck shaft holds the wall where it is, which may differ from the shaft's own angle by rounding: closing that gap
-    // would move a wall that must stand still.
+    // A stuck shaft holds the wall where it is, which may differ from the shaft's own angle by rounding: closing that
+    // gap would move a wall that must stand still.
     const bool still = gained.angle == 0 && ahead.direction == 0;
     path.speed = still ? 0 : (state_.angle + gained.angle - state_.wall_angle) / length;
   }
@@ -109,7 +109,8 @@ void Drivetrain::judge_window(const ShaftAdvance& gained, double work, double le
   constexpr double memory = 1.0 / 16;
   constexpr int max_divisor = 256;
   if (!(coupling_.residual_limit > 0)) return;
-  const double exchanged = std::max({std::abs(gained.motor_work), std::abs(work), std::abs(gained.kinetic_gain)}) / length;
+  const double exchanged =
+      std::max({std::abs(gained.motor_work), std::abs(work), std::abs(gained.kinetic_gain)}) / length;
   state_.residual_mean += memory * (std::abs(means_.power_residual) - state_.residual_mean);
   state_.exchanged_mean += memory * (exchanged - state_.exchanged_mean);
   ++state_.windows_judged;
@@ -134,9 +135,6 @@ void Drivetrain::apply(const Window& window, const ShaftAdvance& gained, const S
   state_.motor_work += gained.motor_work;
   state_.loss_work += gained.loss_work;
   const double length = window.length();
-  means_.eccentric_speed = gained.angle / length;
-  means_.mantle_spin = gained.spin_angle / length;
-  means_.motor_speed = gained.motor_angle / length;
   means_.motor_torque = gained.motor_impulse / length;
   means_.mantle_torque = state_.rock_torque;
   means_.motor_power = gained.motor_work / length;

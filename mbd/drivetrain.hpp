@@ -78,16 +78,13 @@ struct DrivetrainState {
   }
 };
 
-/// Means over the last window, for the series.
+/// Means over the last window, for the series. Speeds are in DrivetrainState.
 struct DrivetrainMeans {
-  double motor_speed = 0;      ///< [rad/s]
-  double eccentric_speed = 0;  ///< [rad/s]
-  double mantle_spin = 0;      ///< [rad/s]
-  double motor_torque = 0;     ///< at the motor's shaft [N m]
-  double mantle_torque = 0;    ///< of the rock at the eccentric, positive when it resists [N m]
-  double motor_power = 0;      ///< mechanical, at the motor's shaft [W]
-  double loss_power = 0;       ///< [W]
-  double crushing_power = 0;   ///< from the mantle to the rock [W]
+  double motor_torque = 0;    ///< at the motor's shaft [N m]
+  double mantle_torque = 0;   ///< of the rock at the eccentric, positive when it resists [N m]
+  double motor_power = 0;     ///< mechanical, at the motor's shaft [W]
+  double loss_power = 0;      ///< [W]
+  double crushing_power = 0;  ///< from the mantle to the rock [W]
   /// Motor power - losses - crushing power - gain of kinetic energy [W]: the error of the exchange of held values. It
   /// falls with the square of the window. A value that is large against the crushing power means that the window is too
   /// long for the rock's stiffness and the inertia. NaN for a drive that does not give its accounts.

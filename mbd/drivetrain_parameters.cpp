@@ -43,9 +43,11 @@ void check_bearings(const DrivetrainParameters& p) {
             "a bearing's friction, radius or idle_force is negative or not a number; they must be numbers >= 0");
     any = any || bearing->friction > 0;
   }
-  require(!any || (std::isfinite(p.bearings.depth) && p.bearings.depth > 0),
-          "the bearings have friction, but the depth of the bushings below the pivot is not > 0; it must be a length > 0");
-  require(p.bearings.tilt_sine >= 0 && p.bearings.tilt_sine < 1, "the sine of the mantle's tilt is outside [0, 1); it is eccentricity / pivot height");
+  require(
+      !any || (std::isfinite(p.bearings.depth) && p.bearings.depth > 0),
+      "the bearings have friction, but the depth of the bushings below the pivot is not > 0; it must be a length > 0");
+  require(p.bearings.tilt_sine >= 0 && p.bearings.tilt_sine < 1,
+          "the sine of the mantle's tilt is outside [0, 1); it is eccentricity / pivot height");
   require(at_least_zero(p.mantle_inertia), "mantle inertia is negative or not a number; it must be a number >= 0");
 }
 
@@ -53,12 +55,12 @@ void check_supply(const DrivetrainParameters& p) {
   const VoltageInput& v = p.voltage;
   require(v.times.size() == v.ratios.size(), "the voltage has not as many ratios as times; give one ratio per time");
   require(std::ranges::all_of(v.ratios, at_least_zero), "a voltage is negative or not a number; it must be >= 0");
-  require(v.times.empty() || v.times.front() == 0,
-          "the voltage does not begin at time 0; its first time must be 0");
+  require(v.times.empty() || v.times.front() == 0, "the voltage does not begin at time 0; its first time must be 0");
   require(std::ranges::adjacent_find(v.times, [](double a, double b) { return !(a < b); }) == v.times.end(),
           "the times of the voltage do not increase; each must be later than the one before");
   const bool ideal = std::holds_alternative<ConstantSpeedMotor>(p.motor);
-  require(!ideal || v.times.empty(), "a constant-speed motor has no voltage; use another motor, or leave the voltage out");
+  require(!ideal || v.times.empty(),
+          "a constant-speed motor has no voltage; use another motor, or leave the voltage out");
   require(!ideal || p.spring.stiffness == 0,
           "a constant-speed motor has no coupling spring; use another motor, or leave the spring out");
   require(at_least_zero(p.spring.stiffness) && at_least_zero(p.spring.damping),

@@ -9,9 +9,9 @@
 namespace gyro {
 namespace {
 
-// Unknowns of one leg that every drive has. All are gains since its start, so that the tolerance is relative to the small
-// change in an interval, not to the speed or to an angle that grows for ever. The works are unknowns as well, so that the
-// energy balance is as accurate as the solution.
+// Unknowns of one leg that every drive has. All are gains since its start, so that the tolerance is relative to the
+// small change in an interval, not to the speed or to an angle that grows for ever. The works are unknowns as well, so
+// that the energy balance is as accurate as the solution.
 enum Unknown { angle_gain, speed_gain, motor_impulse, motor_work, loss_work, unknowns };
 
 // rad, rad/s, N m s, J, J: each some 1e-10 of what a window of 0.5 ms brings in a large crusher

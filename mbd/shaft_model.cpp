@@ -56,7 +56,8 @@ double ShaftModel::input_torque(const ShaftPoint& now, double at_motor) const {
 }
 
 /// The spider's friction against Omega, as torques in the two equations of motion, and its power.
-/// @param free_mantle_torque  on the mantle without the spider; at rest the spider balances it, up to its largest torque
+/// @param free_mantle_torque  on the mantle without the spider; at rest the spider balances it, up to its largest
+/// torque
 ShaftModel::Spider ShaftModel::spider(const ShaftPoint& now, FrictionSigns signs, double free_mantle_torque) const {
   const double sine = bearings_.tilt_sine;
   if (signs.slip == 0 && signs.direction != 0)  // Omega = w z

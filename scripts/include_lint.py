@@ -26,7 +26,7 @@ SHARED = ("base", "math", "scene", "surfaces", "laws")
 PREPARATION = {
     "geometry": (),
     "rocks": ("geometry",),
-    "fragments": (),
+    "fragments": ("geometry",),
     "walls": (),
     "feed": ("rocks", "walls"),
 }
@@ -57,11 +57,15 @@ ALLOWED = {
     "io/hdf5": ("core/base/", "io/hdf5/"),
     "io/mesh": (*DATA, "io/mesh/"),
     "io/run": (*DATA, "mbd/", "io/hdf5/", "io/run/"),
+    "io/rocks": (*DATA, "io/mesh/", "io/hdf5/", "io/run/", "io/rocks/"),
     "app": (*PROGRAM, "app/"),
-    "app/simulation": (*PROGRAM, "app/simulation/"),
+    "app/simulation": ("core/", "mbd/", "gpu/", "app/simulation/"),  # a library: no case files, no output files
+    "app/assembly": (*PROGRAM, "app/simulation/", "app/assembly/"),
+    "app/output": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/"),
+    "app/run": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/"),
     "app/verify": (*PROGRAM, "app/simulation/", "app/verify/"),
-    "app/bench": (*PROGRAM, "app/simulation/", "app/bench/"),
-    "app/examples": ("core/", "gpu/", "mbd/", "app/examples/"),  # what a user of the installed library sees
+    "app/bench": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/", "app/bench/"),
+    "app/examples": ("core/", "gpu/", "mbd/", "app/simulation/", "app/examples/"),  # what a user of the installed library sees
 }
 
 # Headers that a folder may not include although their folder is allowed: path prefixes, and what they are.
@@ -79,8 +83,8 @@ LIBRARIES = (
     ("SUNDIALS", r"(cvode|nvector|sunmatrix|sunlinsol|sunnonlinsol|sundials|arkode|kinsol|ida)/", ("mbd",)),
     ("CUDA", r"(cuda|curand|cublas|nvtx|nvrtc|nvml)[\w/]*|(cub|thrust|nv|nvtx3)/|cooperative_groups|vector_types\.h",
      ("gpu",)),
-    ("CGAL", r"CGAL/", ("core/geometry", "core/rocks")),
-    ("Eigen", r"Eigen/", ("core/geometry", "core/rocks", "core/fragments", "app/verify")),
+    ("CGAL", r"CGAL/", ("core/geometry",)),
+    ("Eigen", r"Eigen/", ("core/geometry", "core/rocks", "app/verify")),
     ("OpenMP", r"omp\.h$", ("core/exec", "app/verify")),
     ("spdlog or fmt", r"(spdlog|fmt)/", ("io/run",)),
     ("nlohmann-json", r"nlohmann/", ("io/schema", "io/run", "app")),

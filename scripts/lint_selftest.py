@@ -36,7 +36,7 @@ class LintTest(unittest.TestCase):
 CORE = "base math scene surfaces laws state kernels exec dem geometry rocks fragments walls feed"
 ENGINE = "base math scene surfaces laws state kernels exec dem"
 DATA = "base math scene surfaces geometry rocks fragments walls feed"
-IO = "io/case io/schema io/fmu io/hdf5 io/mesh io/run"
+IO = "io/case io/schema io/fmu io/hdf5 io/mesh io/run io/rocks"
 ARROWS = {
     "base": "base",
     "math": "base math",
@@ -49,7 +49,7 @@ ARROWS = {
     "dem": ENGINE,
     "geometry": "base math scene surfaces laws geometry",
     "rocks": "base math scene surfaces laws geometry rocks",
-    "fragments": "base math scene surfaces laws fragments",
+    "fragments": "base math scene surfaces laws geometry fragments",
     "walls": "base math scene surfaces laws walls",
     "feed": "base math scene surfaces laws rocks walls feed",
     "gpu": f"{ENGINE} gpu",
@@ -60,12 +60,16 @@ ARROWS = {
     "io/hdf5": "base io/hdf5",
     "io/mesh": f"{DATA} io/mesh",
     "io/run": f"{DATA} mbd io/hdf5 io/run",
-    "app/simulation": f"{CORE} gpu mbd {IO} app/simulation",
+    "io/rocks": f"{DATA} io/mesh io/hdf5 io/run io/rocks",
+    "app/simulation": f"{CORE} gpu mbd app/simulation",
+    "app/assembly": f"{CORE} gpu mbd {IO} app/simulation app/assembly",
+    "app/output": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output",
+    "app/run": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run",
     "app/verify": f"{CORE} gpu mbd {IO} app/simulation app/verify",
-    "app/bench": f"{CORE} gpu mbd {IO} app/simulation app/bench",
-    "app/examples": f"{CORE} gpu mbd app/examples",
-    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
-    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/verify app/bench app/examples app/commands app/command_line",
+    "app/bench": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/bench",
+    "app/examples": f"{CORE} gpu mbd app/simulation app/examples",
+    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/verify app/bench app/examples app/commands app/command_line",
+    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/verify app/bench app/examples app/commands app/command_line",
 }
 
 
@@ -139,7 +143,7 @@ class IncludeLint(LintTest):
 
     def test_lets_good_includes_pass(self):
         for path, header in (
-            ("core/rocks/a.cpp", "<CGAL/Surface_mesh.h>"),
+            ("core/geometry/a.cpp", "<CGAL/Surface_mesh.h>"),
             ("core/rocks/a.cpp", "<Eigen/Dense>"),
             ("core/dem/a.cpp", "<vector>"),
             ("mbd/a.cpp", '"core/scene/window.hpp"'),

@@ -3,6 +3,7 @@
 
 #include "app/assembly/bad_key.hpp"
 #include "app/assembly/rocks.hpp"
+#include "io/rocks/library_cache.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ void set_rock(Assembly& out, const Case& input) {
   Setup& setup = out.setup;
   if (input.rocks) {
     setup.library =
-        blaming("rocks", [&] { return make_library(library_recipe(input, setup.scene), default_cache_folder()); });
+        blaming("rocks", [&] { return cached_library(library_recipe(input, setup.scene), default_cache_folder()); });
     out.notes.insert(out.notes.end(), setup.library.notes.begin(), setup.library.notes.end());
   }
   setup.start = blaming("particles", [&] { return start_state(input); });

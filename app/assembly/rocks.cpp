@@ -66,7 +66,7 @@ BondStrength bond_strength(const Case& input) {
 LibraryRecipe library_recipe(const Case& input, const Scene& scene) {
   const CaseRocks& rocks = *input.rocks;
   LibraryRecipe recipe;
-  recipe.shapes = rocks.shapes;
+  recipe.shapes = recipe_shapes(rocks.shapes);
   recipe.sizes = rocks.sizes;
   recipe.samples = rocks.samples;
   recipe.fill = rocks.fill;

@@ -21,8 +21,8 @@ BondStrength bond_strength(const Case& input);
 /// Recipe of the library. @param scene  with materials, pairs and bonds
 LibraryRecipe library_recipe(const Case& input, const Scene& scene);
 
-/// Rocks of the case's `particles` and `bonds` files. Bonds get radius and strength as the case's `bonds` say. In a case
-/// without bonds every particle is loose.
+/// Rocks of the case's `particles` and `bonds` files. Bonds get radius and strength as the case's `bonds` say. In a
+/// case without bonds every particle is loose.
 std::vector<NewRock> start_state(const Case& input);
 
 /// Depth below the discharge plane at which a fragment can touch nothing any more: twice the extent of the largest

@@ -2,7 +2,7 @@
 #include "app/assembly/walls.hpp"
 
 #include "app/assembly/bad_key.hpp"
-#include "core/geometry/stl_file.hpp"
+#include "io/mesh/mesh_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int picture_sectors = 240;
 
-MeshShape plane_picture(const PlaneShape& plane, double half) {
+TriangleMesh plane_picture(const PlaneShape& plane, double half) {
   const Vec3d helper = std::abs(plane.normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0};
   const Vec3d a0 = cross(plane.normal, helper);
   const Vec3d a = (half / norm(a0)) * a0, b = cross(plane.normal, a);
@@ -30,10 +30,10 @@ void add_wall(CaseWalls& out, const CaseWall& wall) {
     made.shape = *plane;
     out.pictures.push_back({plane_picture(*plane, 0.5), number});
   } else if (const auto* file = std::get_if<MeshFile>(&wall.shape)) {
-    const ReadMesh read = read_mesh(file->path.string());
+    RepairedMesh read = read_mesh(file->path.string());
     for (const std::string& note : read.notes) out.notes.push_back("wall " + wall.name + ": " + note);
-    made.shape = MeshShape{read.mesh.vertices, read.mesh.triangles};
-    out.pictures.push_back({std::get<MeshShape>(made.shape), number});
+    out.pictures.push_back({read.mesh, number});
+    made.shape = std::move(read.mesh);
   } else {
     const bool mantle = std::get<ProfileLiner>(wall.shape).mantle;
     const ProfileShape& shape = mantle ? out.liners->mantle : out.liners->concave;
@@ -75,10 +75,10 @@ Liners liners_of(const CaseCrusher& crusher) {
 }
 
 std::optional<MeshLiners> mesh_liners(std::span<const Wall> walls) {
-  const MeshShape *concave = nullptr, *mantle = nullptr;
+  const TriangleMesh *concave = nullptr, *mantle = nullptr;
   const GyrationMotion* motion = nullptr;
   for (const Wall& wall : walls) {
-    const auto* shape = std::get_if<MeshShape>(&wall.shape);
+    const auto* shape = std::get_if<TriangleMesh>(&wall.shape);
     if (wall.name == "concave" && std::holds_alternative<Fixed>(wall.motion)) concave = shape;
     if (motion != nullptr) continue;
     motion = std::get_if<GyrationMotion>(&wall.motion);

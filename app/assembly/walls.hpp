@@ -14,16 +14,16 @@ namespace gyro {
 
 /// A wall as snapshots show it.
 struct WallPicture {
-  MeshShape mesh;  ///< body frame
-  Index wall;      ///< in the scene
+  TriangleMesh mesh;  ///< body frame
+  Index wall;         ///< in the scene
 };
 
 /// The walls of a case, with the mantle at its setting.
 struct CaseWalls {
   std::vector<Wall> walls;
-  std::optional<Liners> liners;        ///< of a crusher given by its profile
-  std::vector<WallPicture> pictures;   ///< one per wall
-  std::vector<std::string> notes;      ///< repairs of mesh files, and where the mantle was set, for the log
+  std::optional<Liners> liners;       ///< of a crusher given by its profile
+  std::vector<WallPicture> pictures;  ///< one per wall
+  std::vector<std::string> notes;     ///< repairs of mesh files, and where the mantle was set, for the log
 };
 
 /// Reads mesh files, makes liners from a profile and lifts a mantle of meshes to the closed side setting.

@@ -2,7 +2,6 @@
 #include "app/bench/size.hpp"
 
 #include "core/fragments/fragment_table.hpp"
-#include "core/fragments/sieve_size.hpp"
 
 #include <algorithm>
 #include <numeric>

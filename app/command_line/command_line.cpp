@@ -79,8 +79,9 @@ struct Arguments {
   std::filesystem::path liners_out, exported;
   VerifyArguments verify;
   BenchAccuracyArguments accuracy;
-  std::string key, name = "quickstart";
-  bool schema = false, info_json = false;
+  DescribeArguments describe;
+  std::string name = "quickstart";
+  bool info_json = false;
   std::function<int()> chosen;  ///< the command that the command line names
 };
 
@@ -108,10 +109,12 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
 }
 
 void add_other_commands(CLI::App& app, Arguments& a) {
-  CLI::App* c = app.add_subcommand("describe", "documentation of the case file's keys");
-  c->add_option("key", a.key, "a key or a section; default all");
-  c->add_flag("--json-schema", a.schema, "JSON Schema for editors");
-  c->callback([&a] { a.chosen = [&a] { return describe_command(a.key, a.schema); }; });
+  CLI::App* c = app.add_subcommand("describe", "documentation of the case file's keys and of all outputs");
+  c->add_option("key", a.describe.key, "a key or a section of a case, default all; or outputs");
+  c->add_flag("--json-schema", a.describe.json_schema, "the keys as JSON Schema for editors");
+  c->add_flag("--json", a.describe.json, "the outputs as one JSON document");
+  c->add_flag("--markdown", a.describe.markdown, "the outputs as a page");
+  c->callback([&a] { a.chosen = [&a] { return describe_command(a.describe); }; });
 
   c = app.add_subcommand("verify", "compare the engine with theory, one line per check");
   c->add_option("--filter", a.verify.filter, "regular expression searched in group/case/quantity");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/commands.hpp"
 #include "app/assembly/assembly.hpp"
+#include "app/commands/commands.hpp"
 #include "app/simulation/device.hpp"
 #include "core/base/errors.hpp"
 #include "io/run/progress.hpp"
@@ -108,7 +108,8 @@ void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   std::printf("step           %.4g us", e.step.dt * 1e6);
   if (std::isfinite(e.step.limit)) std::printf(", limit %.4g us (%s)", e.step.limit * 1e6, e.step.limited_by.c_str());
   std::printf("\n");
-  std::printf("steps          %lld, %d per coupling interval\n", static_cast<long long>(e.steps), e.step.steps_per_window);
+  std::printf("steps          %lld, %d per coupling interval\n", static_cast<long long>(e.steps),
+              e.step.steps_per_window);
   std::printf("particles      %s at the start, about %s by the end if all the feed finds room\n",
               format_count(double(e.particles)).c_str(), format_count(double(e.particles_at_end)).c_str());
   std::printf("bonds          %s at the start\n", format_count(double(e.bonds)).c_str());

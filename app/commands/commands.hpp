@@ -39,6 +39,12 @@ struct RunArguments {
   std::optional<double> until, max_walltime;  ///< [s]
 };
 
+struct DescribeArguments {
+  std::string key;                      ///< of a case, or "outputs"; empty: all keys
+  bool json_schema = false;             ///< the keys as JSON Schema
+  bool json = false, markdown = false;  ///< the outputs as JSON, as a page
+};
+
 struct VerifyArguments {
   std::string filter;    ///< regular expression searched in the names of checks; empty: all
   bool nightly = false;  ///< the long cases as well
@@ -55,7 +61,7 @@ struct BenchAccuracyArguments {
 /// Each command returns an exit code; bad input and failures come as exceptions of core/base/errors.hpp.
 int run_command(const RunArguments& arguments);
 int check_command(const CaseArguments& arguments);
-int describe_command(const std::string& key, bool json_schema);
+int describe_command(const DescribeArguments& arguments);
 int liners_command(const CaseArguments& arguments, const std::filesystem::path& out);
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int verify_command(const VerifyArguments& arguments);
@@ -68,7 +74,7 @@ int export_fmu_command(const CaseArguments& arguments, const std::optional<std::
 int init_command(const std::string& name);
 int info_command(bool json);
 
-/// Does `work` on a case; a key to blame becomes its place in the file. @throws BadInput
+/// Does `work` on a case; a BadKey becomes a message with the place of the key in the file. @throws BadInput
 template <class Work>
 auto located(const CaseArguments& arguments, Work&& work) {
   try {

@@ -29,7 +29,8 @@ int export_fmu_command(const CaseArguments& arguments, const std::optional<fs::p
   const std::string name = source.file.string();
   if (input->drivetrain_fmu)
     throw BadInput(name + ": its drivetrain is an FMU already; export one from a case with a motor");
-  if (!input->drivetrain) throw BadInput(name + ": has no drivetrain; export one from a case with the section drivetrain");
+  if (!input->drivetrain)
+    throw BadInput(name + ": has no drivetrain; export one from a case with the section drivetrain");
   const fs::path file = out.value_or(input->file.stem().string() + ".fmu");
   located(source, [&] {
     blaming("drivetrain", [&] {

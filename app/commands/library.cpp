@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/commands.hpp"
 #include "app/assembly/assembly.hpp"
+#include "app/commands/commands.hpp"
 #include "core/base/errors.hpp"
-#include "io/run/library_file.hpp"
+#include "io/rocks/library_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,8 +29,9 @@ void print_footer(const RockLibrary& library, const SizeDistribution& sizes) {
   std::printf(
       "mean of the library: %.4g particles and %.4g bonds a rock; of the rocks fed, by number: %.4g particles\n",
       particles / n, bonds / n, particles_by_number / rocks_per_mass);
-  std::printf("crumbled to particles, its rock takes %.2f times the volume of solid rock; real broken rock takes about 1.7\n",
-              swell_of_crumbled(library));
+  std::printf(
+      "crumbled to particles, its rock takes %.2f times the volume of solid rock; real broken rock takes about 1.7\n",
+      swell_of_crumbled(library));
   for (const std::string& note : library.notes) std::printf("%s\n", note.c_str());
   std::printf("%s in %.3g s\n", library.from_cache ? "read from the cache" : "made", library.seconds);
 }
@@ -47,13 +48,13 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   const std::optional<Case> input = load_or_complain(arguments);
   if (!input) return exit_bad_input;
   if (!input->rocks)
-    throw BadInput(to_string(
-        problem_at(arguments.file, arguments.set, "rocks", "the case has no `rocks`; add the section, a library is made from it")));
+    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "rocks",
+                                        "the case has no `rocks`; add the section, a library is made from it")));
   const Assembly assembly = located(arguments, [&] { return assemble(*input); });
   const RockLibrary& library = assembly.setup.library;
   if (out) {
     make_directory(*out);
-    write_library(library, *out);
+    write_library(library, *out / "library.h5");
     write_library_preview(library, *out);
   }
   const SizeDistribution sizes(input->rocks->sizes);

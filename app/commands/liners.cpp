@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/commands.hpp"
 #include "app/assembly/walls.hpp"
+#include "app/commands/commands.hpp"
 #include "core/base/errors.hpp"
-#include "core/geometry/stl_file.hpp"
+#include "io/mesh/stl.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,10 +29,10 @@ double eccentric_speed(const Case& input) {
 /// The liners with the mantle centred and lifted to the setting, so that a case can use the files as they are.
 void write_liners(const MeshLiners& liners, const std::filesystem::path& folder) {
   make_directory(folder);
-  write_stl((folder / "concave.stl").string(), {liners.concave.vertices, liners.concave.triangles});
-  MeshShape mantle = liners.mantle;
+  write_stl((folder / "concave.stl").string(), liners.concave);
+  TriangleMesh mantle = liners.mantle;
   for (Vec3d& v : mantle.vertices) v.z += liners.motion.lift;
-  write_stl((folder / "mantle.stl").string(), {mantle.vertices, mantle.triangles});
+  write_stl((folder / "mantle.stl").string(), mantle);
 }
 
 void print_settings(double closed, double open, double stroke) {
@@ -116,9 +116,10 @@ void report_meshes(const Case& input, const CaseArguments& arguments, const std:
   const CaseWalls walls = located(arguments, [&] { return make_walls(input); });
   const std::optional<MeshLiners> liners = mesh_liners(walls.walls);
   if (!liners)
-    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "crusher",
-                                        "there is nothing to measure; give crusher.profile, or two meshes, of which one "
-                                        "gyrates and the other is fixed and called concave")));
+    throw BadInput(
+        to_string(problem_at(arguments.file, arguments.set, "crusher",
+                             "there is nothing to measure; give crusher.profile, or two meshes, of which one "
+                             "gyrates and the other is fixed and called concave")));
   const MeshReport report = located(arguments, [&] {
     return blaming("crusher", [&] { return measure(*liners, eccentric_speed(input), norm(input.gravity)); });
   });
@@ -135,8 +136,9 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
   const std::optional<Case> input = load_or_complain(arguments);
   if (!input) return exit_bad_input;
   if (!input->crusher)
-    throw BadInput(to_string(problem_at(arguments.file, arguments.set, "crusher",
-                                        "the case has no crusher; add one: its liners are made from a profile or measured on meshes")));
+    throw BadInput(to_string(
+        problem_at(arguments.file, arguments.set, "crusher",
+                   "the case has no crusher; add one: its liners are made from a profile or measured on meshes")));
   const CaseCrusher& crusher = *input->crusher;
   if (crusher.liners.empty()) {
     report_meshes(*input, arguments, out);

@@ -26,8 +26,9 @@ bool nothing_to_do(const RunArguments& arguments, const Case& input, const RunDi
   if (directory.state != RunDirectory::State::finished) return false;
   if (arguments.resume && later >= 1e-6 * input.coupling_interval) return false;
   located(arguments.input, [&] { require_same_case(directory.path, input); });
-  std::cerr << directory.path.string() << " holds a run that is finished at t = " << directory.simulated_seconds << " s; "
-            << (later > 0 && !arguments.resume ? "--resume continues it to the later end" : "nothing to do") << "\n";
+  std::cerr << directory.path.string() << " holds a run that is finished at t = " << directory.simulated_seconds
+            << " s; " << (later > 0 && !arguments.resume ? "--resume continues it to the later end" : "nothing to do")
+            << "\n";
   return true;
 }
 

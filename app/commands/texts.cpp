@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
 #include "app/commands/program_files.hpp"
+#include "app/output/tables/reference.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 
@@ -19,8 +20,16 @@ std::optional<Case> load_or_complain(const CaseArguments& arguments) {
   return report.loaded;
 }
 
-int describe_command(const std::string& key, bool schema) {
-  std::cout << (schema ? json_schema() : describe(key));
+int describe_command(const DescribeArguments& a) {
+  const bool outputs = a.key == "outputs";
+  if (!outputs && (a.json || a.markdown))
+    throw BadInput(
+        "--json and --markdown belong to `gyrosim describe outputs`; use --json-schema for the keys of a case");
+  if (outputs)
+    std::cout << (a.json ? outputs_json() : a.markdown ? outputs_page() : outputs_text());
+  else
+    std::cout << (a.json_schema ? json_schema() : describe(a.key));
+  if (a.key.empty() && !a.json_schema) std::cout << "\n`gyrosim describe outputs` documents what a run writes.\n";
   return exit_done;
 }
 

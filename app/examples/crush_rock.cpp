@@ -32,7 +32,7 @@ void add_rock(Setup& setup) {
   recipe.rock_density = setup.scene.materials[0].density;
   recipe.bond_parameters = *setup.scene.bonds;
   recipe.bed = bed_contacts(setup.scene);
-  setup.library = make_library(recipe, "");
+  setup.library = make_library(recipe);
   setup.feed = FeedPlan{};
   setup.feed->fixed = {{0, {0.143, 0, 0.2}}};
 }

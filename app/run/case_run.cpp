@@ -3,8 +3,8 @@
 
 #include "app/assembly/bad_key.hpp"
 #include "app/run/stop_request.hpp"
-#include "app/simulation/laboratory.hpp"
-#include "app/simulation/run_figures.hpp"
+#include "app/output/laboratory.hpp"
+#include "app/output/run_figures.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 #include "io/run/replace_file.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/simulation/run_output.hpp"
+#include "app/output/run_output.hpp"
 #include "app/simulation/simulation.hpp"
 
 #include <chrono>

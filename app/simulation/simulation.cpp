@@ -217,22 +217,22 @@ MassCount Simulation::mass_count() const {
 
 SavedState Simulation::save() const {
   SavedState s = dem_->save();
-  s.put_fields("simulation", state_);
+  s.put_one("simulation", state_);
   if (drivetrain_) {
-    s.put_fields("drivetrain", drivetrain_->state());
+    s.put_one("drivetrain", drivetrain_->state());
     s.put("drivetrain/drive", drivetrain_->drive_state());
   }
-  if (feed_) s.put_fields("feed", feed_->state());
-  if (product_) s.put_fields("product", product_->state());
-  if (hold_up_) s.put_fields("hold_up", hold_up_->state());
-  s.put_fields("ledger", ledger_.state());
-  s.put_fields("momentum", momentum_.state());
+  if (feed_) s.put_one("feed", feed_->state());
+  if (product_) s.put_one("product", product_->state());
+  if (hold_up_) s.put_one("hold_up", hold_up_->state());
+  s.put_one("ledger", ledger_.state());
+  s.put_one("momentum", momentum_.state());
   return s;
 }
 
 void Simulation::restore(const SavedState& s) {
   const State now = state_;
-  state_ = s.get_fields<State>("simulation");
+  state_ = s.get_one<State>("simulation");
   if (state_.time_step != now.time_step)
     throw BadInput("was written with a time step of " + std::to_string(state_.time_step * 1e6) + " us, not of " +
                    std::to_string(now.time_step * 1e6) +
@@ -243,12 +243,12 @@ void Simulation::restore(const SavedState& s) {
   }
   dem_->restore(s);
   if (drivetrain_)
-    drivetrain_->restore(s.get_fields<DrivetrainState>("drivetrain"), s.get<std::uint8_t>("drivetrain/drive"));
-  if (feed_) feed_->restore(s.get_fields<Feed::State>("feed"));
-  if (product_) product_.emplace(rock_density_, s.get_fields<Product::State>("product"));
-  if (hold_up_) hold_up_.emplace(rock_density_, s.get_fields<HoldUp::State>("hold_up"));
-  ledger_.restore(s.get_fields<Ledger::State>("ledger"));
-  momentum_.restore(s.get_fields<MomentumBalance::State>("momentum"));
+    drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain"), s.get<std::uint8_t>("drivetrain/drive"));
+  if (feed_) feed_->restore(s.get_one<Feed::State>("feed"));
+  if (product_) product_.emplace(rock_density_, s.get_one<Product::State>("product"));
+  if (hold_up_) hold_up_.emplace(rock_density_, s.get_one<HoldUp::State>("hold_up"));
+  ledger_.restore(s.get_one<Ledger::State>("ledger"));
+  momentum_.restore(s.get_one<MomentumBalance::State>("momentum"));
 }
 
 }  // namespace gyro

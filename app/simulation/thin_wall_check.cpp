@@ -29,7 +29,7 @@ bool passes(const Vec3d& p, const Vec3d& q, const MeshGrid& grid) {
 
 ThinWallCheck::ThinWallCheck(const Scene& scene) {
   for (std::size_t w = 0; w < scene.walls.size(); ++w)
-    if (const auto* mesh = std::get_if<MeshShape>(&scene.walls[w].shape))
+    if (const auto* mesh = std::get_if<TriangleMesh>(&scene.walls[w].shape))
       mesh_walls_.push_back({w, scene.walls[w].name, MeshGrid(*mesh)});
 }
 

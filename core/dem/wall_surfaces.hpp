@@ -43,7 +43,7 @@ class WallSurfaces {
     for (const ProfilePoint& p : shape.points) extent = larger(extent, ::sqrt(p.r * p.r + p.z * p.z));
     return {WallKind::profile, {}, view, {}, extent};
   }
-  WallSurface stored(const MeshShape& shape) {
+  WallSurface stored(const TriangleMesh& shape) {
     const MeshGrid made(shape);
     MeshView view = made.view();
     view.triangles = keep(triangles_, made.triangles());

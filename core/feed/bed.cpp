@@ -27,7 +27,7 @@ std::size_t Bed::bucket(int level, const Vec3<Index>& cell) const {
   return (h ^ (h >> 15)) & (first_.size() - 1);
 }
 
-void Bed::hang(Index sphere) {
+void Bed::link(Index sphere) {
   Sphere& s = spheres_[static_cast<std::size_t>(sphere)];
   const int level = level_of(s.radius);
   const std::size_t b = bucket(level, cell_of(s.centre, levels_.at(level).cell));
@@ -40,9 +40,9 @@ void Bed::add(const Vec3d& centre, double radius) {
   Level& l = levels_.try_emplace(level, Level{2 * std::exp2(level), 0.0}).first->second;
   l.largest = std::max(l.largest, radius);
   spheres_.push_back({centre, radius, none});
-  if (2 * spheres_.size() <= first_.size()) return hang(static_cast<Index>(spheres_.size()) - 1);
+  if (2 * spheres_.size() <= first_.size()) return link(static_cast<Index>(spheres_.size()) - 1);
   first_.assign(2 * first_.size(), none);
-  for (std::size_t k = 0; k < spheres_.size(); ++k) hang(static_cast<Index>(k));
+  for (std::size_t k = 0; k < spheres_.size(); ++k) link(static_cast<Index>(k));
 }
 
 template <class Visit>
@@ -79,7 +79,7 @@ double Bed::raised(const Vec3d& centre, double radius, double gap) const {
 }
 
 std::vector<Index> Bed::overlapped(const Vec3d& centre, double radius) const {
-  std::vector<Index> found;  // buckets may be shared by cells, so that a sphere may come twice
+  std::vector<Index> found;  // cells may share a bucket, so a sphere may be found twice
   visit_near(centre, radius, 0, [&](Index k, double) {
     found.push_back(k);
     return false;

@@ -9,20 +9,20 @@
 
 namespace gyro {
 
-/// Spheres that are already there, found by place. Sizes may differ widely: spheres are kept in
-/// a hashed grid for each power of two of their radius.
+/// The spheres present, found by position. Sizes may differ widely: there is a hashed grid for each power of two of the
+/// radius.
 class Bed {
  public:
   void add(const Vec3d& centre, double radius);
   std::size_t size() const { return spheres_.size(); }
 
-  /// The height to which a sphere at this place must be raised to be clear of one that it
-  /// overlaps; its own height when it overlaps none. Repeat until nothing changes: the
-  /// result is the lowest free height, whatever the order of spheres.
-  /// @param gap  least distance between the surfaces [m]
+  /// The height to which a sphere at this position must be raised to be clear of one that it
+  /// overlaps [m]; its own height if it overlaps none. Repeated until it no longer changes, this gives
+  /// the lowest free height, whatever the order of the spheres.
+  /// @param gap  minimum distance between the surfaces [m]
   double raised(const Vec3d& centre, double radius, double gap) const;
 
-  /// Numbers, counted in order of adding from 0, of the spheres that a sphere at this place overlaps.
+  /// Numbers of the spheres that a sphere at this position overlaps; the first sphere added has the number 0.
   std::vector<Index> overlapped(const Vec3d& centre, double radius) const;
 
  private:
@@ -41,7 +41,7 @@ class Bed {
   template <class Visit>
   void visit_near(const Vec3d& centre, double radius, double gap, const Visit& visit) const;
   std::size_t bucket(int level, const Vec3<Index>& cell) const;
-  void hang(Index sphere);
+  void link(Index sphere);
 
   std::vector<Sphere> spheres_;
   std::vector<Index> first_ = std::vector<Index>(1024, none);  ///< by bucket; a power of two of them

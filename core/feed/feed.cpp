@@ -28,7 +28,7 @@ std::string in_mm(double length) {
   return std::to_string(1000 * length) + " mm";
 }
 
-void check_fits(const char* what, const PlaceRegion& region, double size) {
+void check_fits(const char* what, const FeedRegion& region, double size) {
   if (size <= region.narrowest()) return;
   throw BadInput(std::string(what) + " of " + in_mm(size) + " is larger than the region it is fed into (" +
                  in_mm(region.narrowest()) + "); use smaller rocks or a larger region");
@@ -56,16 +56,16 @@ Feed::Feed(const RockLibrary& library, FeedPlan plan, std::span<const Wall> wall
 void Feed::check_plan() const {
   if (library_.rocks.empty()) throw BadInput("the feed has no rocks to draw; the library must have at least one");
   for (const double m : {plan_.initial, plan_.batch, plan_.rate, plan_.start}) {
-    if (!(m >= 0)) throw BadInput("a feed mass, rate or start is negative; it must be >= 0");
+    if (!(m >= 0)) throw BadInput("every feed mass, rate and start must be >= 0");
   }
-  if (!(plan_.clearance > 0 && plan_.retry > 0 && plan_.places > 0 && plan_.improvements >= 0)) {
-    throw BadInput("the feed's clearance, retry time or number of places is not above 0; it must be");
+  if (!(plan_.clearance > 0 && plan_.retry > 0 && plan_.positions > 0 && plan_.improvements >= 0)) {
+    throw BadInput("the feed's clearance, retry time and number of positions must be > 0, its improvements >= 0");
   }
-  if (plan_.initial > 0 && !charge_) throw BadInput("the feed has an initial mass but no region for it; give one");
+  if (plan_.initial > 0 && !charge_) throw BadInput("the feed has an initial mass but no region for it");
   if ((plan_.batch > 0 || plan_.rate > 0) && !entry_) {
-    throw BadInput("the feed has a batch or a rate but no region where it enters; give one");
+    throw BadInput("the feed has a batch or a rate but no region where it enters");
   }
-  // A mass is kept to half a rock: less than half of the lightest one would feed nothing.
+  // The mass fed is within half a rock of the mass owed, so less than half of the lightest rock would feed none.
   const double minimum = *std::min_element(masses_.begin(), masses_.end()) / 2;
   for (const double mass : {plan_.initial, plan_.batch}) {
     if (mass > 0 && mass <= minimum)
@@ -74,7 +74,7 @@ void Feed::check_plan() const {
   }
   if (plan_.initial > 0) check_fits("a particle", *charge_, 2 * largest_radius_);
   if (!entry_) return;
-  // A rock that fits in no way would wait for ever and hold up all that follow.
+  // A rock that never fits would wait for ever and block all that follow.
   for (const RockTemplate& rock : library_.rocks) check_fits("a rock", *entry_, 2 * rock.bounding_radius);
 }
 
@@ -104,7 +104,7 @@ FeedAccount Feed::account() const {
 }
 
 /// The spheres that a rock in the region can touch; all of them without a region.
-Bed Feed::bed_of(const ParticleSnapshot& present, const PlaceRegion* near) const {
+Bed Feed::bed_of(const ParticleSnapshot& present, const FeedRegion* near) const {
   Bed bed;
   const BoxRegion box = near ? near->bounds() : BoxRegion{};
   for (std::size_t k = 0; k < present.size(); ++k) {
@@ -141,7 +141,7 @@ NewRock Feed::instance(Index kind, const RockPose& pose, Bed& bed) {
   return made;
 }
 
-std::optional<NewRock> Feed::placed(const PlaceRegion& region, Bed& bed, const Search& search) {
+std::optional<NewRock> Feed::placed(const FeedRegion& region, Bed& bed, const Search& search) {
   const Index kind = next_kind();
   const Placement placement(region, walls_, bed, plan_.clearance);
   const std::optional<RockPose> pose = placement.lowest(library_.rocks[static_cast<std::size_t>(kind)], search);
@@ -151,18 +151,19 @@ std::optional<NewRock> Feed::placed(const PlaceRegion& region, Bed& bed, const S
 
 void Feed::check_fixed(const FixedRock& fixed, const Bed& bed) const {
   if (fixed.rock < 0 || static_cast<std::size_t>(fixed.rock) >= library_.rocks.size()) {
-    throw BadInput("a fixed rock is not in the library; use rocks 0 to " + std::to_string(library_.rocks.size() - 1));
+    throw BadInput("a fixed rock is not in the library; its number must be between 0 and " +
+                   std::to_string(library_.rocks.size() - 1));
   }
   const RockTemplate& rock = library_.rocks[static_cast<std::size_t>(fixed.rock)];
   for (std::size_t k = 0; k < rock.centres.size(); ++k) {
     const Vec3d centre = fixed.position + rotate(fixed.orientation, rock.centres[k]);
-    // Touching is allowed: a rock may stand on a platen. The slack is rounding of the input.
+    // Contact is allowed: a rock may stand on a platen. The tolerance is for rounding of the input.
     const double radius = rock.radii[k] * (1 - 1e-9);
     if (bed.raised(centre, radius, 0) > centre.z) {
-      throw BadInput("a fixed rock overlaps other particles; move it to a free place");
+      throw BadInput("a fixed rock overlaps particles of the scene; move it");
     }
     if (walls_.distance(centre) < radius) {
-      throw BadInput("a fixed rock reaches into a wall or lies behind it; move it in front of all walls");
+      throw BadInput("a fixed rock overlaps a wall or lies behind it; move it in front of all walls");
     }
   }
 }
@@ -190,13 +191,13 @@ void Feed::charge(Bed& bed, std::vector<NewRock>& rocks) {
     const double reach = library_.rocks[static_cast<std::size_t>(kind)].bounding_radius;
     Search search{plan_.seed,
                   static_cast<std::uint64_t>(plan_.first_rock + state_.rocks),
-                  plan_.places,
+                  plan_.positions,
                   plan_.improvements,
                   0,
                   std::min(top + 2 * reach, charge_->high())};
     std::optional<NewRock> rock = placed(*charge_, bed, search);
     if (!rock) {
-      search.places *= 20;
+      search.positions *= 20;
       search.expected_top = charge_->high();
       rock = placed(*charge_, bed, search);
     }
@@ -224,7 +225,7 @@ std::vector<NewRock> Feed::due(double time, std::span<const WallPose> poses, con
   while (wants(time)) {
     const auto number = static_cast<std::uint64_t>(plan_.first_rock + state_.rocks);
     std::optional<NewRock> rock =
-        placed(*entry_, bed, {plan_.seed, number, plan_.places, 0, state_.attempts, entry_->high()});
+        placed(*entry_, bed, {plan_.seed, number, plan_.positions, 0, state_.attempts, entry_->high()});
     if (!rock) {
       if (state_.attempts++ == 0) ++state_.delayed;
       state_.waiting = owed(time) - (fed_mass() - state_.charged);

@@ -17,47 +17,47 @@ namespace gyro {
 /// Factor on both strengths of the bond between two particles of a rock.
 using BondStrength = std::function<double(RockId rock, ParticleId i, ParticleId j)>;
 
-/// One rock at a given place, at rest at t = 0.
+/// One rock at a given position, at rest at t = 0.
 struct FixedRock {
   Index rock;  ///< in the library
   Vec3d position;
   Quatd orientation{1, 0, 0, 0};
 };
 
-/// What is fed, where and when. All rocks start at rest.
+/// Masses, regions and times of the feed. All rocks start at rest.
 struct FeedPlan {
   double initial = 0;            ///< mass in the chamber at t = 0 [kg]
   double batch = 0;              ///< mass owed at once at `start` [kg]
   double rate = 0;               ///< from `start` on [kg/s]
   double start = 0;              ///< [s]
-  std::vector<FixedRock> fixed;  ///< placed before all others, besides the masses above
+  std::vector<FixedRock> fixed;  ///< placed before all others, in addition to the masses above
   std::optional<Region> charge;  ///< where the initial charge goes; needed with `initial`
   std::optional<Region> entry;   ///< where batch and rate enter; needed with them
-  double clearance = 1e-4;       ///< least gap to other spheres and walls at insertion [m]
+  double clearance = 1e-4;       ///< minimum gap to other spheres and walls at insertion [m]
   double retry = 0.01;           ///< time between two attempts while the entry is full [s]
-  int places = 24;               ///< random places tried for each rock
+  int positions = 24;            ///< random positions tried for each rock
   int improvements = 48;         ///< small moves tried from the best of them, initial charge only
   std::uint64_t seed = 0;
   RockId first_rock = 0;          ///< the feed numbers its rocks from here
   ParticleId first_particle = 0;  ///< and its particles from here
 };
 
-/// What has been fed. Counts are exact, the mass follows from them.
+/// Rocks and mass fed so far. Counts are exact, the mass follows from them.
 struct FeedAccount {
   std::int64_t rocks = 0, particles = 0, bonds = 0;
   double mass = 0;           ///< [kg]
-  std::int64_t delayed = 0;  ///< rocks that found no room when they were due
-  double waiting = 0;        ///< mass that was owed and found no room at the last call of `due` [kg]
+  std::int64_t delayed = 0;  ///< rocks for which there was no room when they were due
+  double waiting = 0;        ///< mass that was owed at the last call of `due` and had no room [kg]
 };
 
-/// The feed: draws rocks of a library and places them without overlap. Every rock's kind, turn
-/// and place are functions of (seed, rock number, what is already there).
+/// The feed: draws rocks of a library and inserts them without overlap. Every rock's kind, orientation
+/// and position are functions of (seed, rock number, particles present).
 ///
 /// Each template of the library stands for an equal share of the mass of the feed: templates are
-/// drawn with probability proportional to 1/mass. The mass fed keeps to half a rock of the mass owed.
+/// drawn with probability proportional to 1/mass. The mass fed is within half a rock of the mass owed.
 class Feed {
  public:
-  /// Everything that a checkpoint must keep.
+  /// Everything that a checkpoint keeps.
   struct State {
     std::vector<std::int64_t> of_template;  ///< rocks fed so far, by template
     std::int64_t rocks = 0, particles = 0;
@@ -65,7 +65,7 @@ class Feed {
     std::int64_t delayed = 0;
     double waiting = 0;          ///< [kg]
     double next_try = 0;         ///< [s]
-    std::uint32_t attempts = 0;  ///< made in vain for the next rock
+    std::uint32_t attempts = 0;  ///< failed ones for the next rock
 
     template <class F, class... S>
     static constexpr void for_each_field(F&& f, S&... s) {
@@ -80,23 +80,23 @@ class Feed {
     }
   };
 
-  /// @param library   kept by reference
+  /// @param library   must outlive the feed
   /// @param walls     of the scene
   /// @param strength  empty: every bond has strength 1
-  /// @throws BadInput if the plan cannot be carried out: no rocks, no region, rocks larger than the region
+  /// @throws BadInput if the plan is impossible: no rocks, no region, rocks larger than the region
   Feed(const RockLibrary& library, FeedPlan plan, std::span<const Wall> walls, BondStrength strength = {});
 
-  /// Fixed rocks and the initial charge. Each rock takes the lowest of many places.
+  /// Fixed rocks and the initial charge. Each rock gets the lowest of many positions.
   /// @param poses    of the walls at t = 0
-  /// @param present  particles that are already there
+  /// @param present  particles in the scene
   /// @throws BadInput if a fixed rock touches something or the charge does not fit
   std::vector<NewRock> initial(std::span<const WallPose> poses, const ParticleSnapshot& present = {});
 
-  /// Whether `due` may have something to give: cheap, for every window.
+  /// Whether `due` may return rocks: cheap, for every window.
   bool wants(double time) const;
 
-  /// Rocks whose mass is owed at this time and that find room. One without room waits, is tried
-  /// again every `retry` and is never dropped; rocks keep their order.
+  /// Rocks whose mass is owed at this time and that find room. A rock without room waits and is tried
+  /// again every `retry`; it is never dropped, and rocks keep their order.
   /// @param poses  of the walls now
   std::vector<NewRock> due(double time, std::span<const WallPose> poses, const ParticleSnapshot& present);
 
@@ -112,8 +112,8 @@ class Feed {
   void check_fixed(const FixedRock& fixed, const Bed& bed) const;
   double fed_mass() const;
   Index next_kind() const;
-  Bed bed_of(const ParticleSnapshot& present, const PlaceRegion* near) const;
-  std::optional<NewRock> placed(const PlaceRegion& region, Bed& bed, const Search& search);
+  Bed bed_of(const ParticleSnapshot& present, const FeedRegion* near) const;
+  std::optional<NewRock> placed(const FeedRegion& region, Bed& bed, const Search& search);
   NewRock instance(Index kind, const RockPose& pose, Bed& bed);
   void charge(Bed& bed, std::vector<NewRock>& rocks);
 
@@ -124,7 +124,7 @@ class Feed {
   std::vector<double> cumulative_;  ///< share of numbers up to each template, ends with 1
   double largest_radius_;           ///< of any particle [m]
   WallSet walls_;
-  std::optional<PlaceRegion> charge_, entry_;
+  std::optional<FeedRegion> charge_, entry_;
   State state_;
 };
 

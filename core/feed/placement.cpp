@@ -16,23 +16,24 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// The random numbers of one rock, in order of use.
 struct Draws {
   std::uint64_t seed, rock;
-  std::uint32_t place, orientation;
-  double next_place() { return uniform(seed, Stream::place, rock, place++); }
-  double next_turn() { return uniform(seed, Stream::turn, rock, orientation++); }
-  Quatd any_turn() {
-    const double u = next_turn(), v = next_turn(), w = next_turn();
-    return uniform_turn(u, v, w);
+  std::uint32_t position, orientation;
+  double next_position() { return uniform(seed, Stream::place, rock, position++); }
+  double next_orientation() { return uniform(seed, Stream::turn, rock, orientation++); }
+  Quatd random_orientation() {
+    const double u = next_orientation(), v = next_orientation(), w = next_orientation();
+    return uniform_orientation(u, v, w);
   }
-  /// A turn about a random axis by up to this angle [rad].
-  Quatd small_turn(double angle) {
-    const double z = 2 * next_turn() - 1, t = 2 * std::numbers::pi * next_turn(), s = std::sqrt(1 - z * z);
-    return rotation_about({s * std::cos(t), s * std::sin(t), z}, angle * next_turn());
+  /// A rotation about a random axis by up to this angle [rad].
+  Quatd small_rotation(double angle) {
+    const double z = 2 * next_orientation() - 1, t = 2 * std::numbers::pi * next_orientation(),
+                 s = std::sqrt(1 - z * z);
+    return rotation_about({s * std::cos(t), s * std::sin(t), z}, angle * next_orientation());
   }
 };
 
 }  // namespace
 
-Quatd uniform_turn(double u, double v, double w) {
+Quatd uniform_orientation(double u, double v, double w) {
   const double a = std::sqrt(1 - u), b = std::sqrt(u), s = 2 * std::numbers::pi * v, t = 2 * std::numbers::pi * w;
   return {b * std::cos(t), a * std::sin(s), a * std::cos(s), b * std::sin(t)};
 }
@@ -59,7 +60,7 @@ double Placement::raised(const Vec3d& centre, double radius) const {
     if (p.z > here) continue;
     p.z = bed_.raised(p, radius, gap_);
     if (p.z > here) continue;
-    // A wall that is too near by some length frees the sphere no sooner than after that length.
+    // Raising a sphere by s changes its distance to a wall by at most s.
     const double missing = radius + gap_ - walls_.distance(p);
     if (missing <= 0) return here;
     p.z += std::max(missing, gap_);
@@ -79,7 +80,7 @@ double Placement::lowest_height(const RockTemplate& rock, double x, double y, co
   }
   double z = region_.low() - foot;
   const double highest = std::min(limit, region_.high() - top);
-  // Round and round over the spheres, until all of them in turn are free at one height.
+  // Cycle through the spheres until all are free at one height.
   for (std::size_t k = 0, free = 0; free < n; k = k + 1 < n ? k + 1 : 0) {
     if (!(z <= highest)) return never;
     const double height = z + arm[k].z;
@@ -91,7 +92,7 @@ double Placement::lowest_height(const RockTemplate& rock, double x, double y, co
 }
 
 std::optional<RockPose> Placement::lowest(const RockTemplate& rock, const Search& search) const {
-  const auto first = search.attempt * static_cast<std::uint32_t>(3 * search.places + 4 * search.improvements);
+  const auto first = search.attempt * static_cast<std::uint32_t>(3 * search.positions + 4 * search.improvements);
   Draws draws{search.seed, search.rock, first, first};
   RockPose best{{0, 0, never}, {1, 0, 0, 0}};
   const auto offer = [&](double x, double y, const Quatd& orientation) {
@@ -100,17 +101,17 @@ std::optional<RockPose> Placement::lowest(const RockTemplate& rock, const Search
     if (lower) best = {{x, y, z}, orientation};
     return lower;
   };
-  for (int k = 0; k < search.places; ++k) {
-    const double share = draws.next_place(), u = draws.next_place(), v = draws.next_place();
+  for (int k = 0; k < search.positions; ++k) {
+    const double share = draws.next_position(), u = draws.next_position(), v = draws.next_position();
     const Vec3d p = region_.draw(region_.low() + share * (search.expected_top - region_.low()), u, v);
-    offer(p.x, p.y, draws.any_turn());
+    offer(p.x, p.y, draws.random_orientation());
   }
   if (best.position.z == never) return std::nullopt;
   // Moves shrink while they fail, as a rock settles.
   double step = 0.5 * rock.bounding_radius, angle = 1;
   for (int k = 0; k < search.improvements; ++k) {
-    const double t = 2 * std::numbers::pi * draws.next_place(), r = step * draws.next_place();
-    const Quatd orientation = normalised(draws.small_turn(angle) * best.orientation);
+    const double t = 2 * std::numbers::pi * draws.next_position(), r = step * draws.next_position();
+    const Quatd orientation = normalised(draws.small_rotation(angle) * best.orientation);
     if (!offer(best.position.x + r * std::cos(t), best.position.y + r * std::sin(t), orientation)) {
       step *= 0.93;
       angle *= 0.93;

@@ -14,7 +14,7 @@
 
 namespace gyro {
 
-/// Where a rock lies: of its centre of mass.
+/// Position and orientation of a rock's centre of mass.
 struct RockPose {
   Vec3d position;
   Quatd orientation;
@@ -22,14 +22,14 @@ struct RockPose {
 
 /// Unit quaternion, uniform over all rotations (Shoemake 1992, Graphics Gems III).
 /// @param u, v, w  uniform in (0, 1)
-Quatd uniform_turn(double u, double v, double w);
+Quatd uniform_orientation(double u, double v, double w);
 
 /// Walls as the placement of rocks needs them; made once.
 class WallSet {
  public:
   WallSet(std::span<const Wall> walls, double largest_radius, double gap);
 
-  /// Takes the walls where they are now. @param poses  one per wall
+  /// Moves the walls to these poses. @param poses  one per wall
   void move(std::span<const WallPose> poses);
   /// Smallest distance of a point to any wall [m], see WallDistance.
   double distance(const Vec3d& point) const;
@@ -40,10 +40,10 @@ class WallSet {
   std::vector<WallPose> poses_;
 };
 
-/// A region with what is needed to draw places in it and to ask whether spheres are inside.
-class PlaceRegion {
+/// A region in the form that placement needs: draws positions in it and tells whether spheres are inside.
+class FeedRegion {
  public:
-  PlaceRegion(const Region& region, std::span<const Wall> walls);
+  FeedRegion(const Region& region, std::span<const Wall> walls);
 
   double low() const { return low_; }
   double high() const { return high_; }
@@ -51,11 +51,11 @@ class PlaceRegion {
   double largest_radius() const;
   /// Smallest extent across or along z [m].
   double narrowest() const;
-  /// Part of the plane z = 0 to draw from, for a rock that is expected at a height.
+  /// A random point (x, y, 0) of the region's section at the height at which the rock is expected.
   /// @param u, v  uniform in (0, 1)
   Vec3d draw(double height, double u, double v) const;
-  /// The height to try next for a sphere at this place: its own if it lies within the region's
-  /// sides, infinite if it never will.
+  /// The height to try next for a sphere at this position [m]: its own if it lies within the region's
+  /// sides, infinite if it does so at no height.
   double raised(const WallSet& walls, const Vec3d& centre, double radius) const;
   /// Corners of a box around the region.
   BoxRegion bounds() const;
@@ -68,35 +68,35 @@ class PlaceRegion {
   std::optional<RadiusByHeight> outer_, inner_;
 };
 
-/// How hard to look for a place.
+/// Effort and random numbers of a search for a position.
 struct Search {
   std::uint64_t seed;
-  std::uint64_t rock;     ///< number, keys the random draws
-  int places;             ///< random places
+  std::uint64_t rock;     ///< number of the rock, a key of the random draws
+  int positions;          ///< random positions
   int improvements;       ///< small moves from the best
-  std::uint32_t attempt;  ///< made before: other places are drawn in each
-  double expected_top;    ///< places are drawn between the region's foot and this height [m]
+  std::uint32_t attempt;  ///< number of attempts before: each draws other positions
+  double expected_top;    ///< positions are drawn between the region's foot and this height [m]
 };
 
-/// Finds places for rocks among spheres, walls and a region's bounds.
+/// Finds positions for rocks between spheres, walls and a region's bounds.
 class Placement {
  public:
-  Placement(const PlaceRegion& region, const WallSet& walls, const Bed& bed, double gap)
+  Placement(const FeedRegion& region, const WallSet& walls, const Bed& bed, double gap)
       : region_(region), walls_(walls), bed_(bed), gap_(gap) {}
 
-  /// The lowest of many random places, improved by small moves: shifts and turns that let the
-  /// rock sink. None if no place was free.
+  /// The lowest of many random positions, improved by small shifts and rotations that let the
+  /// rock sink. None if no position was free.
   std::optional<RockPose> lowest(const RockTemplate& rock, const Search& search) const;
 
-  /// Lowest free height of the rock's centre at (x, y), up to a limit; infinite if there is none.
-  /// Every sphere that is in the way raises the rock by the least that can free it, so no
-  /// free height is passed over (at walls: by more than the gap).
+  /// Lowest free height of the rock's centre at (x, y), up to a limit [m]; infinite if there is none.
+  /// Every sphere in the way raises the rock by the smallest amount that can free it, so no
+  /// free height is missed (at walls: by no more than the gap).
   double lowest_height(const RockTemplate& rock, double x, double y, const Quatd& orientation, double limit) const;
 
  private:
   double raised(const Vec3d& centre, double radius) const;
 
-  const PlaceRegion& region_;
+  const FeedRegion& region_;
   const WallSet& walls_;
   const Bed& bed_;
   double gap_;

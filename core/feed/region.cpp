@@ -26,14 +26,14 @@ std::vector<Piece> pieces_of(const Wall& wall) {
       const ProfilePoint a = profile->points[k - 1], b = profile->points[k];
       pieces.push_back({{Vec3d{a.r, 0, a.z}, Vec3d{b.r, 0, b.z}, Vec3d{}}, 2});
     }
-  } else if (const auto* mesh = std::get_if<MeshShape>(&wall.shape)) {
+  } else if (const auto* mesh = std::get_if<TriangleMesh>(&wall.shape)) {
     for (const auto& t : mesh->triangles) {
       const auto at = [&](Index v) { return mesh->vertices[static_cast<std::size_t>(v)]; };
       pieces.push_back({{at(t.x), at(t.y), at(t.z)}, 3});
     }
   }
   if (pieces.empty()) {
-    throw BadInput("wall \"" + wall.name + "\" has no radius about the z axis; use a liner, a profile or a mesh");
+    throw BadInput("wall \"" + wall.name + "\" has no radius about the z axis; it must be a profile or a mesh");
   }
   return pieces;
 }
@@ -81,9 +81,9 @@ Range radii_of(const std::vector<Vec3d>& polygon) {
     const double t = length2 > 0 ? std::clamp(-(a.x * ex + a.y * ey) / length2, 0.0, 1.0) : 0.0;
     r.low = std::min(r.low, std::hypot(a.x + t * ex, a.y + t * ey));
     r.high = std::max(r.high, std::hypot(a.x, a.y));
-    const double turn = a.x * b.y - a.y * b.x, rounding = 1e-12 * (r.high * r.high);
-    left = left || turn > rounding;
-    right = right || turn < -rounding;
+    const double twice_area = a.x * b.y - a.y * b.x, rounding = 1e-12 * (r.high * r.high);
+    left = left || twice_area > rounding;
+    right = right || twice_area < -rounding;
   }
   if (left != right) r.low = 0;  // the axis pierces it
   return r;
@@ -112,7 +112,7 @@ RadiusByHeight::RadiusByHeight(const Wall& wall, Side side) : side_(side) {
       kept = outer ? std::min(kept, r.low) : std::max(kept, r.high);
     }
   }
-  // Where a mesh has a hole all around, the opening is as wide as below it, or at its foot above it.
+  // Where a mesh has a gap all around, it gets the radius below the gap, or at its foot the radius above.
   const auto known = [](double r) { return r < std::numeric_limits<double>::infinity(); };
   double last = *std::find_if(radius_.begin(), radius_.end(), known);
   for (double& r : radius_) last = r = known(r) ? r : last;
@@ -120,8 +120,8 @@ RadiusByHeight::RadiusByHeight(const Wall& wall, Side side) : side_(side) {
 
 double RadiusByHeight::at(double z) const {
   if (side_ == Side::inner && z > high_) return 0;
-  const double place = high_ > low_ ? (z - low_) / (high_ - low_) * slices : 0;
-  return radius_[static_cast<std::size_t>(std::clamp(place, 0.0, slices - 1.0))];
+  const double slice = high_ > low_ ? (z - low_) / (high_ - low_) * slices : 0;
+  return radius_[static_cast<std::size_t>(std::clamp(slice, 0.0, slices - 1.0))];
 }
 
 CylinderRegion opening_above(const Wall& wall, double height) {

@@ -19,24 +19,24 @@ struct CylinderRegion {
   double radius, height;
 };
 
-/// Ring between two walls about the z axis, or the inside of one. Above the outer wall it goes
-/// on as the cylinder of that wall's opening.
+/// Ring between two walls about the z axis, or the inside of one. Above the outer wall it continues
+/// as the cylinder of that wall's opening.
 struct ChamberRegion {
   Index outer;         ///< wall, the concave
   Index inner = none;  ///< wall, the mantle
   double low, high;    ///< heights [m]; `high` is the limit of the initial charge
 };
 
-/// Where rocks may be placed: every sphere of a rock lies inside.
+/// Region in which rocks are inserted: every sphere of a rock lies inside.
 using Region = std::variant<BoxRegion, CylinderRegion, ChamberRegion>;
 
-/// Radii that a wall about the z axis of its body leaves free or fills, by height in the body's
-/// frame. Taken from the profile, or from all triangles of a mesh.
+/// Radius that a wall about the z axis of its body leaves free (outer) or fills (inner), by height in the body's
+/// frame; from the profile, or from all triangles of a mesh.
 class RadiusByHeight {
  public:
   enum class Side { outer, inner };  ///< rock is inside (concave) or around (mantle)
 
-  /// @throws BadInput for a wall that is no liner about the z axis (a plane)
+  /// @throws BadInput if the wall is a plane, which has no radius about the z axis
   RadiusByHeight(const Wall& wall, Side side);
 
   /// Outer: smallest radius of the wall at this height, at its ends beyond them.
@@ -52,7 +52,7 @@ class RadiusByHeight {
 };
 
 /// Cylinder of the given height that stands on the top edge of a liner, as wide as its opening.
-/// @throws BadInput for a wall that is no liner about the z axis (a plane)
+/// @throws BadInput if the wall is a plane, which has no radius about the z axis
 CylinderRegion opening_above(const Wall& wall, double height);
 
 }  // namespace gyro

@@ -22,7 +22,7 @@ Vec3d upper(const Vec3d& a, const Vec3d& b) {
 WallDistance::WallDistance(const Wall& wall, double reach) : reach_(reach) {
   if (const auto* plane = std::get_if<PlaneShape>(&wall.shape)) plane_ = *plane;
   if (const auto* profile = std::get_if<ProfileShape>(&wall.shape)) make_profile(*profile);
-  if (const auto* mesh = std::get_if<MeshShape>(&wall.shape)) make_mesh(*mesh);
+  if (const auto* mesh = std::get_if<TriangleMesh>(&wall.shape)) make_mesh(*mesh);
 }
 
 void WallDistance::make_profile(const ProfileShape& shape) {
@@ -33,7 +33,7 @@ void WallDistance::make_profile(const ProfileShape& shape) {
   }
 }
 
-void WallDistance::make_mesh(const MeshShape& shape) {
+void WallDistance::make_mesh(const TriangleMesh& shape) {
   for (const auto& t : shape.triangles) {
     const auto at = [&](Index v) { return shape.vertices[static_cast<std::size_t>(v)]; };
     const Vec3d a = at(t.x), b = at(t.y), c = at(t.z), n = cross(b - a, c - a);
@@ -42,7 +42,7 @@ void WallDistance::make_mesh(const MeshShape& shape) {
   if (!triangles_.empty()) fill_cells();
 }
 
-/// Grid over the mesh whose cells list the triangles that may lie within reach.
+/// Makes a grid over the mesh, whose cells list the triangles that may be within reach.
 void WallDistance::fill_cells() {
   Vec3d low = triangles_[0].a, high = low;
   for (const FlatTriangle& t : triangles_) {
@@ -89,11 +89,11 @@ double WallDistance::at(const WallPose& pose, const Vec3d& point) const {
 double WallDistance::to_profile(const Vec3d& body) const {
   const double r = std::sqrt(body.x * body.x + body.y * body.y), z = body.z;
   double nearest2 = reach_ * reach_;
-  double crossing = std::numeric_limits<double>::infinity();  // horizontal way to the surface
+  double crossing = std::numeric_limits<double>::infinity();  // horizontal distance to the surface
   bool behind = false;
   for (const Segment& s : segments_) {
     if (s.low <= z && z < s.high) {
-      // The curve nearest along the horizontal decides the side: left of the travel is rock.
+      // The segment nearest along the horizontal decides the side: rock is left of the direction of travel.
       const double way = s.r + (z - s.z) / s.dz * s.dr - r;
       if (std::abs(way) < crossing) {
         crossing = std::abs(way);
@@ -110,10 +110,10 @@ double WallDistance::to_profile(const Vec3d& body) const {
 }
 
 double WallDistance::to_mesh(const Vec3d& body) const {
-  const Vec3d place = (1 / cells_.size) * (body - cells_.low);
-  if (!(place.x >= 0 && place.y >= 0 && place.z >= 0)) return reach_;
-  if (!(place.x < cells_.count.x && place.y < cells_.count.y && place.z < cells_.count.z)) return reach_;
-  const Vec3<Index> c{static_cast<Index>(place.x), static_cast<Index>(place.y), static_cast<Index>(place.z)};
+  const Vec3d p = (1 / cells_.size) * (body - cells_.low);  // in cells
+  if (!(p.x >= 0 && p.y >= 0 && p.z >= 0)) return reach_;
+  if (!(p.x < cells_.count.x && p.y < cells_.count.y && p.z < cells_.count.z)) return reach_;
+  const Vec3<Index> c{static_cast<Index>(p.x), static_cast<Index>(p.y), static_cast<Index>(p.z)};
   const auto cell = static_cast<std::size_t>((c.z * cells_.count.y + c.y) * cells_.count.x + c.x);
   double nearest2 = reach_ * reach_;
   for (Index k = cells_.begin[cell]; k < cells_.begin[cell + 1]; ++k) {

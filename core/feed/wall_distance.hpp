@@ -8,17 +8,17 @@
 
 namespace gyro {
 
-/// Distance of points to one wall, for placing rocks. Made once; the pose comes with the question.
+/// Distance of points to one wall, for the placement of rocks. Made once for all poses of the wall.
 ///
-/// Planes and profiles know their sides: behind them the distance is negative. Beyond the
-/// height of a profile, and everywhere at a mesh, it is not.
+/// Planes and profiles have sides: behind them the distance is negative. Beyond the
+/// height of a profile, and everywhere at a mesh, it is positive.
 class WallDistance {
  public:
-  /// @param reach  no sphere that will be asked for is larger [m]
+  /// @param reach  larger distances are reported as this value [m]
   WallDistance(const Wall& wall, double reach);
 
-  /// Distance of a world point to the wall, cut off at +-reach: as a function of the point it
-  /// changes no faster than the point moves, up to the jump at a profile's ends.
+  /// Distance of a world point to the wall, limited to +-reach [m]. It changes no faster than the point
+  /// moves, except for the jump at a profile's ends.
   double at(const WallPose& pose, const Vec3d& point) const;
 
  private:
@@ -30,11 +30,11 @@ class WallDistance {
     Vec3d low;
     double size;
     Vec3<Index> count;
-    std::vector<Index> begin, triangle;  ///< those that may lie within reach of a cell
+    std::vector<Index> begin, triangle;  ///< triangles that may be within reach of a cell
   };
 
   void make_profile(const ProfileShape& shape);
-  void make_mesh(const MeshShape& shape);
+  void make_mesh(const TriangleMesh& shape);
   void fill_cells();
   double to_profile(const Vec3d& body) const;
   double to_mesh(const Vec3d& body) const;

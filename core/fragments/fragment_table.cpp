@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fragments/fragment_table.hpp"
 
-#include "core/fragments/sieve_size.hpp"
+#include "core/geometry/sieve_size.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace gyro {
 namespace {
@@ -54,10 +56,14 @@ FragmentTable fragment_table(const ParticleSnapshot& p) {
   std::vector<Index> next(table.members_begin.begin(), table.members_begin.end() - 1);
   table.members.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    Index& place = next[static_cast<std::size_t>(row_of[i])];
-    table.members[static_cast<std::size_t>(place++)] = static_cast<Index>(i);
+    Index& slot = next[static_cast<std::size_t>(row_of[i])];
+    table.members[static_cast<std::size_t>(slot++)] = static_cast<Index>(i);
   }
   return table;
+}
+
+double equal_mass_diameter(double mass, double rock_density) {
+  return std::cbrt(6 * mass / (std::numbers::pi * rock_density));
 }
 
 double sieve_size(const FragmentTable& table, std::size_t row, const ParticleSnapshot& p, double rock_density) {
@@ -70,9 +76,9 @@ double sieve_size(const FragmentTable& table, std::size_t row, const ParticleSna
     radii.push_back(p.radius[i]);
     largest_piece = std::max(largest_piece, equal_mass_diameter(p.mass[i], rock_density));
   }
-  // A sphere stands for a piece of rock of its mass, which is larger than the sphere; a fragment
-  // cannot pass where one of its pieces does not.
-  return std::max(largest_piece, square_mesh_size(centres, radii));
+  // A sphere stands for a piece of solid rock of its mass, which is larger than the sphere; a fragment
+  // passes no opening that one of its pieces does not pass.
+  return std::max(largest_piece, spheres_sieve_size(centres, radii));
 }
 
 }  // namespace gyro

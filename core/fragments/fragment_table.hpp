@@ -8,7 +8,7 @@
 
 namespace gyro {
 
-/// One fragment: particles that are still bonded together, or a single particle.
+/// One fragment: particles that are bonded together, or a single particle.
 struct Fragment {
   Index first_particle;  ///< row in the snapshot, the smallest of the fragment
   Index particles;       ///< how many
@@ -33,7 +33,13 @@ struct FragmentTable {
 /// Linear in the number of particles.
 FragmentTable fragment_table(const ParticleSnapshot& particles);
 
-/// Sieve size of a fragment [m], see core/fragments/sieve_size.hpp.
+/// Diameter of the sphere of solid rock that has this mass [m]: (6 m / (pi rho))^(1/3).
+/// @param mass          [kg]
+/// @param rock_density  of solid rock [kg/m3]
+double equal_mass_diameter(double mass, double rock_density);
+
+/// Sieve size of a fragment [m]: that of its spheres (core/geometry/sieve_size.hpp), but at least the equal-mass
+/// diameter of its heaviest particle.
 /// @param row           of the table
 /// @param rock_density  of solid rock [kg/m3]
 double sieve_size(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles, double rock_density);

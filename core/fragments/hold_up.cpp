@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fragments/hold_up.hpp"
 
-#include "core/fragments/sieve_size.hpp"
-
 #include <algorithm>
 #include <optional>
 

@@ -8,12 +8,12 @@
 
 namespace gyro {
 
-/// Sieve analysis of what has not been discharged. Sizes of fragments are remembered from one analysis to the next:
-/// bonds never heal, so a fragment with the same first particle and as many particles as before is the same one.
+/// Sieve analysis of the rock in the chamber. Sizes of fragments are kept from one analysis to the next:
+/// bonds never heal, so a fragment with the same first particle and the same number of particles is the same one.
 class HoldUp {
  public:
-  /// Everything that a checkpoint must keep. The columns have one row a fragment of several particles, by first
-  /// particle.
+  /// Everything that a checkpoint keeps. The columns have one row for each fragment of several particles, sorted by
+  /// first particle.
   struct State {
     std::vector<ParticleId> first;
     std::vector<Index> particles;
@@ -32,7 +32,7 @@ class HoldUp {
   /// @param rock_density  of solid rock [kg/m3]
   explicit HoldUp(double rock_density, State state = {});
 
-  /// Analyses what is there now.
+  /// Analyses the present hold-up.
   /// @param table    of these particles
   /// @param product  after its update with them
   void update(const FragmentTable& table, const ParticleSnapshot& particles, const Product& product);

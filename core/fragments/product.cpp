@@ -4,6 +4,7 @@
 #include <algorithm>
 
 namespace gyro {
+
 Product::Product(double rock_density) : rock_density_(rock_density) {
   state_.sieve_mass.assign(sieve_series().size() + 1, 0.0);
 }
@@ -33,7 +34,7 @@ void Product::count(const FragmentTable& table, std::size_t row, const ParticleS
 
 void Product::update(const FragmentTable& table, const ParticleSnapshot& particles) {
   for (std::size_t row = 0; row < table.size(); ++row) {
-    // Bonds never heal: the particles of a fragment have all been counted, or none.
+    // Bonds never heal, so either all particles of a fragment have been counted or none.
     const auto first = static_cast<std::size_t>(table.rows[row].first_particle);
     if (table.rows[row].highest < 0 && !is_discharged(particles.id[first])) count(table, row, particles);
   }

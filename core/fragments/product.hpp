@@ -10,14 +10,14 @@
 namespace gyro {
 
 /// The product account. A fragment is discharged when all of it is below z = 0; it is then
-/// counted once, as it is, and never again, even if it bounces back or breaks further.
+/// counted once, with its size at that moment, even if it bounces back or breaks further.
 class Product {
  public:
-  /// Everything that a checkpoint must keep.
+  /// Everything that a checkpoint keeps.
   struct State {
     std::vector<std::uint8_t> discharged;  ///< by particle id: 1 when counted
-    std::vector<double>
-        sieve_mass;  ///< by sieve: mass finer than it and not than the next finer; last: coarser than all
+    /// By sieve: mass that passes it but not the next finer one; last: mass that passes none [kg].
+    std::vector<double> sieve_mass;
     std::int64_t particles = 0, fragments = 0, singles = 0;
     double mass = 0, singles_mass = 0;
 
@@ -41,12 +41,12 @@ class Product {
   /// @param table  of these particles
   void update(const FragmentTable& table, const ParticleSnapshot& particles);
 
-  /// Ids of the fragments that have been counted and lie wholly below z = -depth, whole
-  /// fragments only. @param depth  [m], >= 0
+  /// Ids of the particles of all fragments that have been counted and lie completely below z = -depth.
+  /// @param depth  [m], >= 0
   std::vector<ParticleId> removable(const FragmentTable& table, const ParticleSnapshot& particles, double depth) const;
 
   bool is_discharged(ParticleId id) const;
-  /// Particles of a snapshot that have not been discharged; what the chamber holds.
+  /// Number of particles of a snapshot that have not been discharged: the hold-up of the chamber.
   std::int64_t inside(const ParticleSnapshot& particles) const;
   ProductRow row(double time) const;
   const State& state() const { return state_; }

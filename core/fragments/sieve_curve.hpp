@@ -11,23 +11,23 @@ namespace gyro {
 /// Sieves from 1 mm to 1 m, each sqrt(2) times the one before: 125 mm x 2^(k/2), k = -14 ... 6 [m].
 const std::vector<double>& sieve_series();
 
-/// The finest sieve of the series that lets this size through; the number of sieves when none does.
+/// Index of the finest sieve of the series that this size [m] passes; the number of sieves if it passes none.
 std::size_t sieve_of(double size);
 
-/// Size that a share of the mass passes: passing is linear in log(size) between two sieves.
-/// None when the share lies below the finest or above the coarsest sieve.
+/// Size [m] that a share of the mass passes: passing is linear in log(size) between two sieves.
+/// None if the share lies below the finest or above the coarsest sieve.
 /// @param passing  [sieve_series()], not decreasing
 std::optional<double> passing_size(const std::vector<double>& passing, double share);
 
-/// The way back: share of the mass that passes a mesh of this size, linear in log(size) between two sieves; that of
-/// the finest sieve below it.
+/// The inverse: share of the mass that passes an opening of this size [m], linear in log(size) between two sieves;
+/// below the finest sieve its share.
 double passing_at(const std::vector<double>& passing, double size);
 
-/// A sieve analysis: of all that was discharged by a time, or of what the chamber holds.
+/// A sieve analysis: of all rock discharged up to a time, or of the rock in the chamber.
 struct ProductRow {
-  double time = 0;                 ///< [s]
-  double mass = 0;                 ///< [kg]
-  std::int64_t particles = 0;      ///< exact
+  double time = 0;  ///< [s]
+  double mass = 0;  ///< [kg]
+  std::int64_t particles = 0;
   std::int64_t fragments = 0;      ///< as they were when they passed the discharge plane
   double singles_share = 0;        ///< mass of single particles / mass [-]; 0 without mass
   std::vector<double> passing;     ///< mass share finer than each sieve of the series [-]; zeros without mass
@@ -36,8 +36,8 @@ struct ProductRow {
 
 /// Mass by sieve.
 struct SieveTally {
+  /// By sieve: mass that passes it but not the next finer one; last: mass that passes none [kg].
   std::vector<double> sieve_mass = std::vector<double>(sieve_series().size() + 1, 0.0);
-  ///< by sieve: mass finer than it and not than the next finer; last: coarser than all [kg]
   std::int64_t particles = 0, fragments = 0;
   double mass = 0, singles_mass = 0;  ///< [kg]
 
@@ -50,7 +50,7 @@ struct SieveTally {
     f("singles_mass", t.singles_mass...);
   }
 
-  /// A fragment of this sieve size [m].
+  /// Adds a fragment of this sieve size [m] and mass [kg].
   void add(double size, double fragment_mass, std::int64_t fragment_particles);
   ProductRow row(double time) const;
 };

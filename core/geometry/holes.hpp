@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/mesh.hpp"
+#include "core/scene/triangle_mesh.hpp"
 
 namespace gyro {
 
-/// Sum of the triangles' areas.
-double surface_area(const TriangleMesh& mesh);
-
-/// What the closing of holes came to.
+/// Result of close_holes.
 struct ClosedHoles {
-  Index closed = 0;        ///< holes
+  Index closed = 0;        ///< number of holes closed
   double largest = 0;      ///< area of the largest hole that was closed
-  double too_large = 0;    ///< area of the smallest hole that was left, 0 if none
+  double too_large = 0;    ///< area of the smallest hole that stays open, 0 if none
   bool ambiguous = false;  ///< holes meet in a point, so that their rims cannot be told apart; nothing was closed
 };
 
-/// Closes every hole whose area is at most `largest_share` of the surface by a fan of triangles about the middle of its
+/// Closes every hole whose area is at most `max_share` of the surface by a fan of triangles about the centre of its
 /// rim. The area of a hole is that of its fan: a slit of any length has none. Needs triangles that agree about their
-/// side (turn_outwards).
-ClosedHoles close_holes(TriangleMesh& mesh, double largest_share);
-
-/// Drops bodies (sets of triangles connected by edges) of less than the share of the largest one's volume, as scanners
-/// leave them floating. @return how many
-Index drop_specks(TriangleMesh& mesh, double share);
+/// side (orient_outwards).
+ClosedHoles close_holes(TriangleMesh& mesh, double max_share);
 
 }  // namespace gyro

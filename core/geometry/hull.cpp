@@ -33,16 +33,17 @@ TriangleMesh convex_hull(const std::vector<Vec3d>& points) {
     corners[number_of(v)] = {p.x(), p.y(), p.z()};
   }
   TriangleMesh mesh;
-  std::map<Index, Index> place;
+  std::map<Index, Index> vertex_of;  // by number
   for (const auto& [number, p] : corners) {
-    place[number] = static_cast<Index>(mesh.vertices.size());
+    vertex_of[number] = static_cast<Index>(mesh.vertices.size());
     mesh.vertices.push_back(p);
   }
   std::vector<std::array<Index, 3>> faces;
   for (const auto f : surface.faces()) {
     std::array<Index, 3> face{};
     int k = 0;
-    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface)) face.at(k++) = place.at(number_of(v));
+    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      face.at(k++) = vertex_of.at(number_of(v));
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
     faces.push_back(face);
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/mesh.hpp"
+#include "core/scene/triangle_mesh.hpp"
 
 #include <memory>
 
 namespace gyro {
 
-/// Answers whether points lie inside a solid mesh. May be asked from several threads at once.
+/// Tells whether points lie inside a solid mesh. Safe to call from several threads at once.
 class InsideTest {
  public:
   /// @param solid closed, normals outwards

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/mesh.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <utility>
 
 namespace gyro {
 
@@ -50,46 +44,15 @@ MassProperties mass_properties(const TriangleMesh& mesh) {
   return p;
 }
 
-PrincipalAxes principal_axes(const std::array<double, 6>& t) {
-  Eigen::Matrix3d m;
-  m << t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
-  const auto axis = [&](int k) {
-    const Eigen::Vector3d v = solver.eigenvectors().col(k);
-    return Vec3d{v[0], v[1], v[2]};
-  };
-  const Eigen::Vector3d l = solver.eigenvalues();
-  return {{l[0], l[1], l[2]}, {axis(0), axis(1), cross(axis(0), axis(1))}};
+double triangle_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return norm(cross(b - a, c - a)) / 2;
 }
 
-EdgeCheck check_edges(const TriangleMesh& mesh) {
-  struct Uses {
-    Index forward = 0, backward = 0, triangle = 0;
-  };
-  std::map<std::pair<Index, Index>, Uses> edges;
-  std::vector<Index> parent(mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
-    const auto& v = mesh.triangles[t];
-    for (const auto& [from, to] : {std::pair{v.x, v.y}, std::pair{v.y, v.z}, std::pair{v.z, v.x}}) {
-      Uses& uses = edges.try_emplace(std::minmax(from, to), Uses{0, 0, t}).first->second;
-      (from < to ? uses.forward : uses.backward) += 1;
-      parent[root(t)] = root(uses.triangle);
-    }
-  }
-  EdgeCheck check;
-  for (const auto& [edge, uses] : edges) {
-    const Index n = uses.forward + uses.backward;
-    check.open += n == 1;
-    check.crowded += n > 2;
-    check.contradictory += n == 2 && uses.forward != 1;
-  }
-  for (Index t = 0; t < static_cast<Index>(parent.size()); ++t) check.bodies += parent[t] == t;
-  return check;
+double surface_area(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles)
+    area += triangle_area(mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]);
+  return area;
 }
 
 Box bounding_box(const TriangleMesh& mesh) {

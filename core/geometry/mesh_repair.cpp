@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/mesh_repair.hpp"
 
+#include "core/geometry/edges.hpp"
+#include "core/geometry/mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,15 +15,6 @@ namespace gyro {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
-using Edge = std::pair<Index, Index>;
-
-std::array<Edge, 3> edges_of(const Vec3<Index>& t) {
-  return {Edge{t.x, t.y}, Edge{t.y, t.z}, Edge{t.z, t.x}};
-}
-
-Edge undirected(const Edge& e) {
-  return {std::min(e.first, e.second), std::max(e.first, e.second)};
-}
 
 /// Finds an earlier vertex within a distance, in cells of that size.
 class Welder {
@@ -60,10 +54,10 @@ TriangleMesh weld(const TriangleMesh& soup, double distance) {
   if (soup.vertices.empty() || !(distance > 0)) return soup;
   Welder welder(bounding_box(soup).low, distance);
   TriangleMesh mesh;
-  std::vector<Index> place(soup.vertices.size(), none);
+  std::vector<Index> number(soup.vertices.size(), none);  // of the welded vertex, by vertex of the soup
   const auto welded = [&](Index v) {
-    if (place[v] == none) place[v] = welder.vertex(soup.vertices[v], mesh.vertices);
-    return place[v];
+    if (number[v] == none) number[v] = welder.vertex(soup.vertices[v], mesh.vertices);
+    return number[v];
   };
   for (const auto& t : soup.triangles) {
     const Index a = welded(t.x), b = welded(t.y), c = welded(t.z);
@@ -93,53 +87,84 @@ Dropped drop_useless_triangles(TriangleMesh& mesh) {
 
 namespace {
 
+/// The triangles of every edge, by undirected edge.
 using EdgeUsers = std::map<Edge, std::vector<Index>>;
 
+/// Whether to flip a triangle.
+enum class Flip : char { undecided, keep, flip };
+
+Flip opposite(Flip f) {
+  return f == Flip::keep ? Flip::flip : Flip::keep;
+}
+
 /// Decides for all triangles connected with the first one, over edges of two triangles, which to
-/// turn so that they agree: 0 keep, 1 turn; the fewer are turned. @param turn -1: not decided yet
-void decide_turns(const TriangleMesh& mesh, const EdgeUsers& users, Index first, std::vector<int>& turn) {
+/// flip so that they agree. The fewer are flipped.
+void decide_flips(const TriangleMesh& mesh, const EdgeUsers& users, Index first, std::vector<Flip>& flips) {
   const auto runs_through = [&](Index t, const Edge& e) {
     const auto edges = edges_of(mesh.triangles[t]);
     return std::find(edges.begin(), edges.end(), e) != edges.end();
   };
   std::vector<Index> connected{first};
-  turn[first] = 0;
+  flips[first] = Flip::keep;
   for (std::size_t next = 0; next < connected.size(); ++next) {
     const Index t = connected[next];
     for (const Edge& e : edges_of(mesh.triangles[t])) {
       const auto& pair = users.at(undirected(e));
       if (pair.size() != 2) continue;
       const Index other = pair[0] == t ? pair[1] : pair[0];
-      if (turn[other] >= 0) continue;
-      turn[other] = runs_through(other, e) ? 1 - turn[t] : turn[t];
+      if (flips[other] != Flip::undecided) continue;
+      flips[other] = runs_through(other, e) ? opposite(flips[t]) : flips[t];
       connected.push_back(other);
     }
   }
-  const auto turned = std::count_if(connected.begin(), connected.end(), [&](Index t) { return turn[t] == 1; });
-  if (2 * turned > static_cast<std::ptrdiff_t>(connected.size())) {
-    for (const Index t : connected) turn[t] = 1 - turn[t];
+  const auto flipped =
+      std::count_if(connected.begin(), connected.end(), [&](Index t) { return flips[t] == Flip::flip; });
+  if (2 * flipped > static_cast<std::ptrdiff_t>(connected.size())) {
+    for (const Index t : connected) flips[t] = opposite(flips[t]);
   }
 }
 
 }  // namespace
 
-Index turn_outwards(TriangleMesh& mesh) {
+Index orient_outwards(TriangleMesh& mesh) {
   const Index n = static_cast<Index>(mesh.triangles.size());
   EdgeUsers users;
   for (Index t = 0; t < n; ++t) {
     for (const Edge& e : edges_of(mesh.triangles[t])) users[undirected(e)].push_back(t);
   }
-  std::vector<int> turn(n, -1);
+  std::vector<Flip> flips(mesh.triangles.size(), Flip::undecided);
   for (Index t = 0; t < n; ++t) {
-    if (turn[t] < 0) decide_turns(mesh, users, t, turn);
+    if (flips[t] == Flip::undecided) decide_flips(mesh, users, t, flips);
   }
   for (Index t = 0; t < n; ++t) {
-    if (turn[t] == 1) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
+    if (flips[t] == Flip::flip) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
   }
-  const Index turned = static_cast<Index>(std::count(turn.begin(), turn.end(), 1));
-  if (mass_properties(mesh).volume >= 0) return turned;
+  const Index flipped = static_cast<Index>(std::count(flips.begin(), flips.end(), Flip::flip));
+  if (mass_properties(mesh).volume >= 0) return flipped;
   for (auto& t : mesh.triangles) std::swap(t.y, t.z);
-  return n - turned;
+  return n - flipped;
+}
+
+Index drop_specks(TriangleMesh& mesh, double share) {
+  const std::vector<Index> body = bodies_of(mesh);
+  std::map<Index, std::vector<Vec3<Index>>> parts;
+  for (std::size_t t = 0; t < body.size(); ++t) parts[body[t]].push_back(mesh.triangles[t]);
+  if (parts.size() < 2) return 0;
+  TriangleMesh part{mesh.vertices, {}};
+  std::map<Index, double> volume;
+  double largest = 0;
+  for (auto& [number, triangles] : parts) {
+    part.triangles = std::move(triangles);
+    volume[number] = std::abs(mass_properties(part).volume);
+    largest = std::max(largest, volume[number]);
+  }
+  std::vector<Vec3<Index>> kept;
+  for (std::size_t t = 0; t < body.size(); ++t) {
+    if (volume[body[t]] >= share * largest) kept.push_back(mesh.triangles[t]);
+  }
+  mesh.triangles = std::move(kept);
+  return static_cast<Index>(
+      std::count_if(volume.begin(), volume.end(), [&](const auto& v) { return v.second < share * largest; }));
 }
 
 }  // namespace gyro

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/mesh.hpp"
+#include "core/scene/triangle_mesh.hpp"
 
 namespace gyro {
 
-/// Makes one vertex of all that lie within the distance of the first of them; drops vertices that no
-/// triangle uses.
+/// Merges vertices that lie within the distance of an earlier one; drops vertices that no
+/// triangle uses. @param distance  [unit of the mesh]
 TriangleMesh weld(const TriangleMesh& soup, double distance);
 
-/// Drops triangles with two equal corners and repeats of a triangle (same corners, in any order).
-/// Thin triangles with three corners stay: without them the mesh would have holes. @return how many of each
+/// Number of triangles that were dropped, by reason.
 struct Dropped {
-  Index flat = 0, repeated = 0;
+  Index flat = 0;      ///< two equal corners
+  Index repeated = 0;  ///< the corners of an earlier triangle, in any order
 };
+/// Drops triangles with two equal corners and repeats of a triangle. Thin triangles with three corners stay: without
+/// them the mesh would have holes.
 Dropped drop_useless_triangles(TriangleMesh& mesh);
 
-/// Turns triangles until neighbours run through their common edge in opposite directions and the
-/// volume is positive. Of each connected set the smaller part is turned. Edges of other than two
-/// triangles are not crossed. @return triangles turned
-Index turn_outwards(TriangleMesh& mesh);
+/// Flips triangles until neighbours run through their common edge in opposite directions and the
+/// volume is positive. Of each connected set the smaller part is flipped. Edges of other than two
+/// triangles are not crossed. @return number of triangles flipped
+Index orient_outwards(TriangleMesh& mesh);
+
+/// Drops bodies (sets of triangles connected by edges) of less than the share of the largest one's volume, as scanners
+/// leave them floating. @return number of bodies dropped
+Index drop_specks(TriangleMesh& mesh, double share);
 
 }  // namespace gyro

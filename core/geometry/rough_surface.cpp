@@ -39,14 +39,14 @@ TriangleMesh icosahedron() {
   return mesh;
 }
 
-/// Each triangle of the sphere in four.
+/// Divides each triangle of the sphere into four.
 TriangleMesh divided(const TriangleMesh& sphere) {
   TriangleMesh finer{sphere.vertices, {}};
   std::map<std::pair<Index, Index>, Index> middles;
   const auto middle = [&](Index a, Index b) {
-    const auto [place, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<Index>(finer.vertices.size()));
-    if (fresh) finer.vertices.push_back(unit(sphere.vertices[a] + sphere.vertices[b]));
-    return place->second;
+    const auto [entry, inserted] = middles.try_emplace(std::minmax(a, b), static_cast<Index>(finer.vertices.size()));
+    if (inserted) finer.vertices.push_back(unit(sphere.vertices[a] + sphere.vertices[b]));
+    return entry->second;
   };
   for (const auto& t : sphere.triangles) {
     const Index a = middle(t.x, t.y), b = middle(t.y, t.z), c = middle(t.z, t.x);
@@ -75,10 +75,10 @@ class Noise {
     const auto next = [&] { return uniform(seed, Stream::shape, number, draw++); };
     for (int octave = 0; octave < octaves; ++octave) {
       for (int k = 0; k < waves; ++k) {
-        const double z = 2 * next() - 1, turn = 2 * std::numbers::pi * next(), r = std::sqrt(1 - z * z);
+        const double z = 2 * next() - 1, azimuth = 2 * std::numbers::pi * next(), r = std::sqrt(1 - z * z);
         const double wave_number = first_wave_number * std::exp2(octave) * (0.75 + 0.5 * next());
-        waves_.push_back({wave_number * Vec3d{r * std::cos(turn), r * std::sin(turn), z}, 2 * std::numbers::pi * next(),
-                          std::exp2(-octave)});
+        waves_.push_back({wave_number * Vec3d{r * std::cos(azimuth), r * std::sin(azimuth), z},
+                          2 * std::numbers::pi * next(), std::exp2(-octave)});
         variance_ += std::exp2(-2 * octave) / 2;
       }
     }

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/mesh.hpp"
+#include "core/scene/triangle_mesh.hpp"
 
 #include <cstdint>
 
 namespace gyro {
 
 /// Roughens a convex solid around the origin: 1280 triangles whose corners lie on the solid's surface, moved along
-/// the radius by the factor exp(roughness x noise). The noise has mean 0 and deviation 1 over rocks: three octaves of
-/// plane waves of random direction and phase, from 1 wave over the rock on, each octave half as high as the one before.
-/// The result is star-shaped, so it cannot cut itself.
+/// the radius by the factor exp(roughness x noise). The noise has mean 0 and standard deviation 1 over rocks: three
+/// octaves of plane waves of random direction and phase. The first has 1 wave over the rock; each octave has half the
+/// amplitude of the one before.
+/// The result is star-shaped, so it cannot intersect itself.
 /// @param seed, number  of the rock; the draws follow `first_draw` of its stream
 TriangleMesh roughened(const TriangleMesh& convex, double roughness, std::uint64_t seed, std::uint64_t number,
                        std::uint32_t first_draw);

@@ -3,6 +3,8 @@
 
 #include "core/base/errors.hpp"
 #include "core/geometry/hull.hpp"
+#include "core/geometry/mesh.hpp"
+#include "core/geometry/principal_axes.hpp"
 #include "core/geometry/rough_surface.hpp"
 #include "core/geometry/sieve_size.hpp"
 #include "core/math/random.hpp"
@@ -18,15 +20,15 @@ struct Corner {
   double x, y;
 };
 
-/// A polygon of 64 sides with the section of the circle of diameter 1, less what lies beyond the two flats, which face
-/// y and are seen from the axis under the loading angle.
+/// A polygon of 64 sides with the area of a circle of diameter 1, cut by the two flats, which face y and span the
+/// loading angle as seen from the axis.
 std::vector<Corner> section_of(double loading_angle) {
   constexpr int steps = 64;
   const double radius = std::sqrt(std::numbers::pi / 2 / (steps * std::sin(2 * std::numbers::pi / steps)));
   const double flat = loading_angle > 0 ? radius * std::cos(loading_angle / 2) : 2 * radius;
   const auto corner = [&](int k) {
-    const double turn = 2 * std::numbers::pi * k / steps;
-    return Corner{radius * std::cos(turn), radius * std::sin(turn)};
+    const double azimuth = 2 * std::numbers::pi * k / steps;
+    return Corner{radius * std::cos(azimuth), radius * std::sin(azimuth)};
   };
   std::vector<Corner> section;
   for (int k = 0; k < steps; ++k) {
@@ -52,19 +54,21 @@ RockShape make_shape(const TriangleMesh& solid) {
     v = {dot(principal.axes[0], v), dot(principal.axes[1], v), dot(principal.axes[2], v)};
   }
   shape.inertia = std::pow(scale, 5) * principal.moments;
-  constexpr std::size_t fine_scan = 2000;  // a scan has a million triangles, and every template keeps a preview
+  constexpr std::size_t fine_scan = 2000;  // a scan may have a million triangles, and every template keeps a preview
   shape.preview = shape.surface.triangles.size() <= fine_scan ? shape.surface : convex_hull(shape.surface.vertices);
-  shape.sieve_size = sieve_size(shape.surface.vertices);
+  shape.sieve_size = hull_sieve_size(shape.surface.vertices);
   return shape;
 }
 
 void check_style(const ShapeStyle& style) {
   for (const ShapeStyle::Interval& ratio : {style.elongation, style.flatness}) {
     if (!(ratio.low > 0 && ratio.low <= ratio.high && ratio.high <= 1))
-      throw BadInput("rocks.shapes: elongation and flatness must be intervals within 0 to 1");
+      throw BadInput("rocks.shapes: elongation and flatness must be intervals with 0 < low <= high <= 1");
   }
-  if (!(style.angularity >= 0 && style.angularity <= 1)) throw BadInput("rocks.shapes.angularity must be 0 to 1");
-  if (!(style.roughness >= 0 && style.roughness <= 0.3)) throw BadInput("rocks.shapes.roughness must be 0 to 0.3");
+  if (!(style.angularity >= 0 && style.angularity <= 1))
+    throw BadInput("rocks.shapes.angularity must be between 0 and 1");
+  if (!(style.roughness >= 0 && style.roughness <= 0.3))
+    throw BadInput("rocks.shapes.roughness must be between 0 and 0.3");
 }
 
 RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const ShapeStyle& style) {
@@ -72,18 +76,18 @@ RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const Shape
   const auto draw = [&](double low, double high) {
     return low + (high - low) * uniform(seed, Stream::shape, number, draws++);
   };
-  // 16 points at the middle of the scale, 2.5 times as many or as few at its ends.
-  const double fewest = std::round(16 * std::pow(2.5, 1 - 2 * style.angularity));
-  const int count = static_cast<int>(draw(fewest, 2 * fewest + 1));
+  // 16 points at the middle of the scale, 2.5 times as many at one end, as few at the other.
+  const double min_points = std::round(16 * std::pow(2.5, 1 - 2 * style.angularity));
+  const int count = static_cast<int>(draw(min_points, 2 * min_points + 1));
   const double b = draw(style.elongation.low, style.elongation.high);
   const double c = b * draw(style.flatness.low, style.flatness.high);
   std::vector<Vec3d> points;
   for (int k = 0; k < count; ++k) {
     // Fibonacci lattice on the sphere, each point moved by up to half the spacing.
     const double spacing = std::sqrt(4 * std::numbers::pi / count);
-    const double z = 1 - (2 * k + 1.0) / count, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double z = 1 - (2 * k + 1.0) / count, azimuth = k * std::numbers::pi * (3 - std::sqrt(5.0));
     const double r = std::sqrt(1 - z * z);
-    Vec3d p{r * std::cos(turn), r * std::sin(turn), z};
+    Vec3d p{r * std::cos(azimuth), r * std::sin(azimuth), z};
     p += (0.5 * spacing) * Vec3d{draw(-1, 1), draw(-1, 1), draw(-1, 1)};
     p = (draw(0.85, 1.0) / norm(p)) * p;
     points.push_back({p.x, b * p.y, c * p.z});
@@ -117,9 +121,9 @@ TriangleMesh coarse_polyhedron(const TriangleMesh& scan, int corners) {
   if (static_cast<int>(hull.vertices.size()) <= corners) return hull;
   std::vector<bool> kept(hull.vertices.size(), false);
   for (int k = 0; k < corners; ++k) {
-    const double z = 1 - (2 * k + 1.0) / corners, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double z = 1 - (2 * k + 1.0) / corners, azimuth = k * std::numbers::pi * (3 - std::sqrt(5.0));
     const double r = std::sqrt(1 - z * z);
-    const Vec3d d{r * std::cos(turn), r * std::sin(turn), z};
+    const Vec3d d{r * std::cos(azimuth), r * std::sin(azimuth), z};
     const auto further = [&](const Vec3d& p, const Vec3d& q) { return dot(p, d) < dot(q, d); };
     kept[std::max_element(hull.vertices.begin(), hull.vertices.end(), further) - hull.vertices.begin()] = true;
   }

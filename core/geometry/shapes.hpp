@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/mesh.hpp"
+#include "core/scene/triangle_mesh.hpp"
 
 #include <cstdint>
 
 namespace gyro {
 
-/// A rock's shape: a solid of unit volume, centroid at the origin, principal axes along x (long), y, z.
+/// A rock's shape: a solid of unit volume with its centroid at the origin and its principal axes along x (long), y, z.
 struct RockShape {
   TriangleMesh surface;
   Vec3d inertia{0, 0, 0};  ///< principal moments at unit density about the centroid, ascending [m5]
   TriangleMesh preview;    ///< the surface, or its convex hull where the surface has above 2000 triangles
-  double sieve_size = 0;   ///< smallest square mesh that lets the shape through [m]
+  double sieve_size = 0;   ///< side of the smallest square opening that lets the shape through [m]
 };
 
 /// Brings a solid mesh into that form. @param solid closed, normals outwards, of positive volume
 RockShape make_shape(const TriangleMesh& solid);
 
-/// How procedural rocks look. The defaults are those of crushed aggregate.
+/// Style of procedural rocks. The defaults are those of crushed aggregate.
 struct ShapeStyle {
   struct Interval {
     double low, high;
@@ -27,10 +27,10 @@ struct ShapeStyle {
   Interval flatness{0.65, 0.95};    ///< short / intermediate axis c/b, uniform [-]
   /// 0: rounded, hulls of 40 to 80 points; 0.5: of 16 to 32; 1: sharp, of 6 to 13.
   double angularity = 0.5;
-  double roughness = 0;  ///< deviation of the surface from the polyhedron / radius; 0 leaves flat faces [-]
+  double roughness = 0;  ///< deviation of the surface from the polyhedron / radius; 0: flat faces [-]
 };
 
-/// @throws BadInput intervals not within (0, 1] or falling, angularity not in [0, 1], roughness not in [0, 0.3]
+/// @throws BadInput unless 0 < low <= high <= 1 for both intervals, angularity is in [0, 1] and roughness in [0, 0.3]
 void check_style(const ShapeStyle& style);
 
 /// A random polyhedron like crushed rock: the hull of points that are evenly spread on an ellipsoid and
@@ -39,14 +39,15 @@ void check_style(const ShapeStyle& style);
 RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const ShapeStyle& style = {});
 
 /// A cylinder, as laboratories cut them: a prism of 64 sides with the section of the circle. Its axis is x if it is
-/// longer than 0.87 diameters, else z, as principal axes go.
+/// longer than 0.87 diameters, else z, because the long principal axis is x.
 /// @param slenderness length / diameter, above 0
-/// @param loading_angle under which the axis sees each of two flats along the side, 0 to 1 rad; they face y
+/// @param loading_angle between the lines from the axis to the edges of each of two flats along the side, which face y;
+/// 0 to 1 rad
 RockShape cylinder_shape(double slenderness, double loading_angle = 0);
 
-/// The convex polyhedron of at most so many corners (at least 4 remain) around a scan: the hull of those of its
-/// points that are outermost in evenly spread directions. The boundary of the Delaunay triangulation of
-/// all points is the hull, which is what many corners give.
+/// A convex polyhedron of at most `corners` corners (but at least 4) around a scan: the hull of the points that are
+/// outermost in evenly spread directions. With many corners it is the hull of all points, which is the boundary of
+/// their Delaunay triangulation.
 TriangleMesh coarse_polyhedron(const TriangleMesh& scan, int corners);
 
 }  // namespace gyro

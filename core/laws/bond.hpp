@@ -98,7 +98,7 @@ GYRO_HD Vec3<T> span_of_rates(const BondLaw<T>& law, const BondRates<T>& r, cons
   return span - (T(0.5) * law.dt) * r.velocity;
 }
 
-/// Elastic loads of a glued bond: a force on j that acts at the section, and a couple on j.
+/// Elastic loads of an intact bond: a force on j that acts at the section, and a couple on j.
 template <class T>
 struct ElasticLoads {
   Vec3<T> force, couple;
@@ -191,7 +191,7 @@ GYRO_HD T bond_power(const BondLoad<T>& load, const BondRates<T>& rates) {
          dot(load.torque_j, rates.angular_velocity_j);
 }
 
-/// Loads of an unglued bond, and how much of its shear survived the friction limit.
+/// Loads of a pressed bond, and how much of its shear survived the friction limit.
 template <class T>
 struct PressedLoad {
   BondLoad<T> load;
@@ -200,7 +200,7 @@ struct PressedLoad {
 };
 
 /// A bond that has failed and whose ends have not come apart yet: a spring that only pushes. Its
-/// compressive force is that of the glued bond, so failure adds no force and no stiffness.
+/// compressive force is that of the intact bond, so failure adds no force and no stiffness.
 ///
 ///   F_n = max(0, -kn A (L - L0) - c_n v_n) while L < L0
 ///   F_s = ks A L0^2 (c/L) gamma, cut to mu F_n; the cut share of gamma is slip (slipped_axis)

@@ -9,8 +9,8 @@ namespace gyro {
 /// Shape of a bond in the unloaded rock.
 template <class T>
 struct BondShape {
-  Vec3<T> axis;  ///< e, unit vector i -> j: while glued in the frame in which the turns of both ends are 1,
-                 ///< once unglued in the world frame
+  Vec3<T> axis;  ///< e, unit vector i -> j: while intact in the frame in which the turns of both ends are 1,
+                 ///< once pressed in the world frame
   T length;      ///< L0 [m]
   T arm;         ///< a_i: the bond's section lies at x_i + a_i d; a_j = 1 - a_i [-]
 };
@@ -50,13 +50,13 @@ GYRO_HD Vec3<T> rotate_any(const Quat<T>& q, const Vec3<T>& v) {
   return v + two_over_square * cross(r, cross(r, v) + q.w * v);
 }
 
-/// Where the normal of a glued bond's section points now: e turned by the mean turn of the ends.
+/// Where the normal of an intact bond's section points now: e turned by the mean turn of the ends.
 template <class T>
 GYRO_HD Vec3<T> intact_axis(const BondShape<T>& b, const BondEnds<T>& ends) {
   return rotate_any(mean_orientation(b.arm, ends), b.axis);
 }
 
-/// Where the axis of an unglued bond points now. Its ends may roll over each other, so that their mean
+/// Where the axis of a pressed bond points now. Its ends may roll over each other, so that their mean
 /// turn means nothing; the axis is kept in the world frame instead and goes along with their mean spin.
 /// @param axis  of the last step, world frame
 /// @param spin  a_i w_i + a_j w_j [rad/s]
@@ -78,7 +78,7 @@ GYRO_HD Vec3<T> pressed_axis(const Vec3<T>& axis, const Vec3<T>& angular_velocit
 /// Departure: Potyondy & Cundall (2004) add up increments, which needs six numbers of history
 /// per bond; the two agree to first order in the strains (core/README.md has the trial).
 ///
-/// @param axis    e_w: glued_axis() or unglued_axis()
+/// @param axis    e_w: intact_axis() or pressed_axis()
 /// @param length0 L0 [m]
 template <class T>
 GYRO_HD BondStrain<T> strain_about(const Vec3<T>& axis, T length0, const BondEnds<T>& ends) {
@@ -94,7 +94,7 @@ GYRO_HD BondStrain<T> strain_about(const Vec3<T>& axis, T length0, const BondEnd
   return {n, length, length - length0, along, axis - along * n, twist, theta - twist * n};
 }
 
-/// Strains of a glued bond.
+/// Strains of an intact bond.
 template <class T>
 GYRO_HD BondStrain<T> bond_strain(const BondShape<T>& b, const BondEnds<T>& ends) {
   return strain_about(intact_axis(b, ends), b.length, ends);

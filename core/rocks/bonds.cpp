@@ -28,16 +28,17 @@ double bond_radius(const BondRule& rule, double ri, double rj) {
 
 void check_rule(const BondRule& rule) {
   if (!(rule.gap >= 0 && rule.gap < 1)) {
-    throw BadInput("bonds.gap is " + std::to_string(rule.gap) + "; it must be >= 0 and < 1, in smaller particle radii");
+    throw BadInput("bonds.gap is " + std::to_string(rule.gap) +
+                   "; it must be >= 0 and < 1, in radii of the smaller particle");
   }
   const double radius = bond_radius(rule, 1, 1);
-  if (!(std::isfinite(radius) && radius > 0)) throw BadInput("bonds.radius must be a positive number");
+  if (!(std::isfinite(radius) && radius > 0)) throw BadInput("bonds.radius must be a finite number above 0");
 }
 
 std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const std::vector<double>& radii,
                                      const BondRule& rule) {
   const Index n = static_cast<Index>(centres.size());
-  // Sweep along x: partners lie within the reach of the largest sphere.
+  // Sweep along x: bonded spheres are at most the largest sphere's reach apart.
   std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),

@@ -9,39 +9,39 @@ namespace gyro {
 
 /// Bond radius = factor x smaller particle radius.
 struct RelativeBondRadius {
-  double factor = 0.5;
+  double factor = 0.5;  ///< [-]
 };
 
-/// The same bond radius everywhere, also where it is larger than a particle's [m].
+/// The same bond radius everywhere, also where it is larger than the particle.
 struct AbsoluteBondRadius {
-  double radius = 0;
+  double radius = 0;  ///< [m]
 };
 
 /// Section of the bond = factor x pi R_h^2, R_h = 2 Ri Rj/(Ri + Rj) the harmonic mean radius: the area of a Hertz
 /// contact goes as R_h, at an overlap that goes as R_h, hence as R_h^2. Between equal spheres R_b = sqrt(factor) R.
 struct ContactAreaBond {
-  double factor = 0.25;
+  double factor = 0.25;  ///< [-]
 };
 
-/// Which neighbours are bonded, and how thick the bonds are.
+/// Which neighbours are bonded, and the radius of the bonds.
 struct BondRule {
   double gap = 0.05;  ///< bonded if (distance of surfaces) < gap x smaller radius [-]
   std::variant<RelativeBondRadius, AbsoluteBondRadius, ContactAreaBond> radius;
 };
 
-/// @throws BadInput gap negative or not below 1, bond radius not positive
+/// @throws BadInput if the gap is not in [0, 1) or the bond radius is not above 0
 void check_rule(const BondRule& rule);
 
 /// Radius of the bond between particles of radii ri and rj [m].
 double bond_radius(const BondRule& rule, double ri, double rj);
 
-/// The bonds of a set of spheres, sorted by (i, j).
+/// The bonds of a set of spheres [m], sorted by (i, j).
 std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const std::vector<double>& radii,
                                      const BondRule& rule);
 
-/// Sorts bonds by colour, then (i, j), so that inside a colour no two share a particle. Each bond takes,
-/// in (i, j) order, the first colour free at both ends: at most 2 z - 1 colours for z bonds a particle.
-/// @return first bond of each colour, and the number of bonds at the end
+/// Sorts bonds by colour, then (i, j). Two bonds of one colour share no particle. In (i, j) order each bond gets
+/// the first colour free at both ends: at most 2 z - 1 colours for z bonds a particle.
+/// @return first bond of each colour, and as the last entry the number of bonds
 std::vector<Index> colour_bonds(std::vector<TemplateBond>& bonds, Index particles);
 
 /// Particles of the largest connected set, ascending; of equally large sets the one with the lowest particle.

@@ -2,6 +2,7 @@
 #include "core/rocks/fill.hpp"
 
 #include "core/base/errors.hpp"
+#include "core/geometry/principal_axes.hpp"
 #include "core/math/quat.hpp"
 #include "core/math/random.hpp"
 
@@ -16,19 +17,19 @@
 namespace gyro {
 namespace {
 
-constexpr int cuts = 16, max_cuts = 64;  // more where few particles seldom hold together
-constexpr int cuts_of_many = 4;          // where chance evens out by itself
+constexpr int cuts = 16, max_cuts = 64;  // up to max_cuts if none of the first holds together
+constexpr int cuts_of_many = 4;          // with many particles all cuts are alike
 constexpr double many = 3000;            // particles
-/// A cut that loses more than this share of its spheres is no rock.
+/// A cut whose largest piece has a smaller share of its spheres is discarded.
 constexpr double min_kept = 0.8;
-/// Draws up to here made the packing itself.
+/// The draws before are those of the packing itself.
 constexpr std::uint32_t first_draw = 16;
 
 double cube(double x) {
   return x * x * x;
 }
 
-/// Where and how the shape lies in the packing.
+/// Position and orientation of the shape in the packing.
 struct Cut {
   Vec3d offset;       ///< of the shape's centre, in the packing
   Quatd orientation;  ///< from the shape's frame to the packing's
@@ -41,14 +42,15 @@ Cut draw_cut(const Packing& packing, std::uint64_t seed, std::uint64_t rock, int
   cut.offset.x = packing.side * draw();
   cut.offset.y = packing.side * draw();
   cut.offset.z = packing.side * draw();
-  // Uniform over all turns: Shoemake, Graphics Gems III (1992) 124.
+  // Uniform over all rotations: Shoemake, Graphics Gems III (1992) 124.
   const double u = draw(), a = 2 * std::numbers::pi * draw(), b = 2 * std::numbers::pi * draw();
   const double s = std::sqrt(1 - u), c = std::sqrt(u);
   cut.orientation = {c * std::cos(b), s * std::sin(a), s * std::cos(a), c * std::sin(b)};
   return cut;
 }
 
-/// Spheres whose centres lie inside the shape, in its frame. @param unit of the packing, in the shape's unit
+/// Spheres whose centres lie inside the shape, in its frame.
+/// @param unit  the packing's unit of length, in that of the shape
 Filling cut_out(const Mould& mould, const Packing& packing, const Cut& cut, double unit) {
   double reach2 = 0;
   for (const Vec3d& v : mould.shape.surface.vertices) reach2 = std::max(reach2, norm2(v));
@@ -95,7 +97,7 @@ Filling selected(const Filling& filling, const std::vector<Index>& list) {
   return some;
 }
 
-/// Neighbours in space become neighbours in memory.
+/// Sorts so that neighbours in space are neighbours in memory.
 Filling sorted_for_locality(const Filling& filling) {
   double half = 0;
   for (const Vec3d& p : filling.centres) half = std::max({half, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -108,8 +110,8 @@ Filling sorted_for_locality(const Filling& filling) {
   return selected(filling, order);
 }
 
-/// Largest relative error of mass (counted twice: it is the coarsest measure) and principal moments against
-/// the shape filled evenly.
+/// Largest relative error of the mass, doubled because it matters most, and of the principal moments, compared with the
+/// shape filled evenly.
 double misfit(const Mould& mould, const Filling& filling, double fraction) {
   if (filling.centres.empty()) return std::numeric_limits<double>::infinity();
   const double mass = sphere_volume(filling.radii);
@@ -119,7 +121,8 @@ double misfit(const Mould& mould, const Filling& filling, double fraction) {
                    std::abs(got.z / want.z - 1)});
 }
 
-/// The best of many cuts, or nothing if none holds together. @param unit of the packing, in the shape's unit
+/// The best of many cuts, or an empty filling if none holds together.
+/// @param unit  the packing's unit of length, in that of the shape
 Filling best_cut(const Mould& mould, const Packing& packing, double unit, const BondRule& bonds, const FillJob& job) {
   const double expected = static_cast<double>(packing.centres.size()) / cube(packing.side * unit);
   const int enough = expected < many ? cuts : cuts_of_many;
@@ -138,10 +141,10 @@ Filling best_cut(const Mould& mould, const Packing& packing, double unit, const 
   return best;
 }
 
-/// The faces of a convex shape; triangles of one face once.
+/// The faces of a convex shape; the triangles of one face give one.
 Vessel vessel_of(const Mould& mould) {
   if (!mould.inside.convex())
-    throw BadInput("rocks.fill.surface: smooth is for convex shapes of up to 500 triangles; use cut here");
+    throw BadInput("rocks.fill.surface: smooth needs a convex shape of at most 500 triangles; use cut");
   Vessel vessel;
   vessel.volume = 1;
   for (const InsideTest::Plane& plane : mould.inside.planes()) {
@@ -154,8 +157,8 @@ Vessel vessel_of(const Mould& mould) {
   return vessel;
 }
 
-/// Equal spheres jammed in a vessel of unit volume, as nearly of the wanted ratio as a few tries get. Faces hold
-/// spheres less densely than spheres do, how much less depends on shape and ratio.
+/// Equal spheres jammed in a vessel of unit volume, their ratio as close to the wanted one as a few tries get it.
+/// Spheres pack less densely at faces; how much less depends on shape and ratio.
 Packing jam_to_ratio(const Vessel& vessel, double ratio, const FillJob& job) {
   constexpr double close = 0.003, guess = 0.58;
   constexpr int max_tries = 5;
@@ -190,15 +193,14 @@ std::string in_mm(double length) {
 }
 
 void check(const MonoFill& mono) {
-  if (mono.ratio >= min_fill_ratio && mono.ratio <= greatest_fill_ratio) return;
+  if (mono.ratio >= min_fill_ratio && mono.ratio <= max_fill_ratio) return;
   throw BadInput("rocks.fill ratio is " + std::to_string(mono.ratio) + "; it must be between 2 and 50");
 }
 
 void check(const RangeFill& range) {
-  if (!(range.smallest > 0 && range.largest > range.smallest &&
-        range.largest <= greatest_size_ratio * range.smallest)) {
+  if (!(range.smallest > 0 && range.largest > range.smallest && range.largest <= max_size_ratio * range.smallest)) {
     throw BadInput("rocks.fill.sizes are " + in_mm(range.smallest) + " to " + in_mm(range.largest) +
-                   "; the largest must be at most 8 times the smallest");
+                   "; the largest must be above the smallest and at most 8 times as large");
   }
   if (!(range.exponent > 0 && range.exponent <= 5))
     throw BadInput("rocks.fill.exponent is " + std::to_string(range.exponent) + "; it must be > 0 and <= 5");
@@ -257,7 +259,7 @@ Grading grading_of(const RangeFill& range, double diameter) {
   const double largest = std::min(range.largest, largest_share * diameter);
   if (largest < range.smallest) {
     throw BadInput("a rock of " + in_mm(diameter) + " is too small for particles from " + in_mm(range.smallest) +
-                   " on; use rocks of at least three times the smallest of rocks.fill.sizes");
+                   " on; it must be at least three times as large as the smallest of rocks.fill.sizes");
   }
   const double below = std::ceil(classes * std::log2(range.largest / largest) - 1e-9);
   const double ratio = range.largest / range.smallest * std::exp2(-std::max(0.0, below) / classes);
@@ -265,7 +267,7 @@ Grading grading_of(const RangeFill& range, double diameter) {
   const double count = 0.7 * cube(diameter / range.smallest) / mean_cubed_radius(grading);
   if (count > max_particles) {
     throw BadInput("a rock of " + in_mm(diameter) + " would hold about " + std::to_string(std::lround(count)) +
-                   " particles; at most 100000 are possible: use larger rocks.fill.sizes or smaller rocks");
+                   " particles, but the limit is 100000; use larger rocks.fill.sizes or smaller rocks");
   }
   return grading;
 }

@@ -19,7 +19,7 @@ struct Mould {
   InsideTest inside;
 };
 
-/// Spheres that fill a unit-volume shape, in the shape's frame, along a Morton curve.
+/// Spheres that fill a unit-volume shape, in the shape's frame and unit, in the order of a Morton curve.
 struct Filling {
   std::vector<Vec3d> centres;
   std::vector<double> radii;
@@ -27,15 +27,16 @@ struct Filling {
 
 /// Equal spheres: diameter = equal-volume diameter of the rock / ratio.
 struct MonoFill {
-  /// cut: from a packing, as rock breaks. smooth: jammed inside the shape, which must be convex, so that all of its
-  /// faces bear, as those of ground specimens do; the diameter comes out within 1 %, below 50 particles within 2 %.
+  /// cut: from a packing, with a rough surface like that of broken rock. smooth: jammed inside the shape, which must be
+  /// convex, so that spheres support all of a face, as in a ground specimen; the particle diameter is within 1 % of the
+  /// given one, below 50 particles within 2 %.
   enum class Surface { cut, smooth };
-  double ratio = 6;
+  double ratio = 6;  ///< [-]
   Surface surface = Surface::cut;
 };
 
-/// Spheres of many sizes, the same for all rocks: of their volume, the share that is finer than the diameter x grows as
-/// x^exponent. A rock's own largest sphere is at most a third of its diameter.
+/// Spheres of a range of sizes, the same for all rocks: the share of their volume that is finer than the diameter x
+/// grows as x^exponent. The largest sphere of a rock is at most a third of the rock's diameter.
 struct RangeFill {
   double smallest = 0, largest = 0;  ///< diameters [m]
   double exponent = 0.8;             ///< [-]; 0.8 puts 20,000 particles of 8 to 45 mm into a rock of 500 mm
@@ -43,34 +44,35 @@ struct RangeFill {
 
 using FillRule = std::variant<MonoFill, RangeFill>;
 
-/// Smallest and largest fill ratio on offer: about 5 and 80,000 particles.
-inline constexpr double min_fill_ratio = 2, greatest_fill_ratio = 50;
-/// Largest (largest/smallest diameter) of a range: packings grow with its third power.
-inline constexpr double greatest_size_ratio = 8;
-/// More particles than this are no rock.
+/// Limits of the fill ratio: about 5 and 80,000 particles.
+inline constexpr double min_fill_ratio = 2, max_fill_ratio = 50;
+/// Limit of largest/smallest diameter of a range: the size of packings grows with its third power.
+inline constexpr double max_size_ratio = 8;
+/// Limit of the particles of one rock.
 inline constexpr double max_particles = 100000;
 
-/// @throws BadInput numbers out of range
+/// @throws BadInput if a number is out of range
 void check_rule(const FillRule& rule);
 
-/// Which rock is filled.
+/// The rock that is filled.
 struct FillJob {
-  double diameter = 1;  ///< of the sphere of its solid volume [m]; of no effect on a mono-sized fill
+  double diameter = 1;  ///< of the sphere of its solid volume [m]; a mono-sized fill does not use it
   std::uint64_t seed = 0;
   std::uint64_t rock = 0;  ///< its number under this seed
 };
 
-/// Fills the shape with those spheres of a jammed packing, laid at a random place and turn, whose centre lies inside.
-/// So there is no thin layer at the surface, and on average as large a share of the volume as in the packing. Of
-/// sixteen cuts (four where there are thousands of spheres) the one is kept whose mass and inertia are nearest to that
-/// of the full packing in the shape; spheres not bonded to the largest piece are left out. A smooth fill is not cut.
-/// @throws BadInput rule out of range; smooth shape not convex; rock too small or too large for the range; shape so
-/// thin or gap so small that the spheres do not hold together
+/// Puts the shape into a jammed packing, at a random position and orientation, and takes the spheres whose centre is
+/// inside. So there is no thin layer at the surface, and on average the spheres fill as large a share of the volume as
+/// in the packing. Of sixteen cuts (four if there are thousands of spheres) the one is used whose mass and inertia are
+/// nearest to those of the shape filled evenly; spheres not bonded to the largest piece are dropped. A smooth fill is
+/// not cut.
+/// @throws BadInput if the rule is out of range, a smooth shape is not convex, the rock is too small or too large for
+/// the range, or the shape is so thin or the gap so small that the spheres do not hold together
 Filling fill(const Mould& mould, const FillRule& rule, const BondRule& bonds, const FillJob& job);
 
-/// The grading of the packing that a rock of this diameter is cut from [smallest radius], its largest radius rounded
-/// down to a class, so that rocks of like size share a packing. @throws BadInput rock too small or too large for the
-/// range
+/// The grading [smallest radius] of the packing from which a rock of this diameter [m] is cut. Its largest radius is
+/// rounded down to a class, so that rocks of similar size share a packing.
+/// @throws BadInput if the rock is too small or too large for the range
 Grading grading_of(const RangeFill& range, double diameter);
 
 /// Inertia tensor {xx, yy, zz, xy, yz, zx} of spheres of one density about their centre of mass [kg m2].

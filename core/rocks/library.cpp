@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rocks/library.hpp"
 
-#include "core/geometry/stl_file.hpp"
-#include "core/rocks/cache.hpp"
+#include "core/geometry/mesh.hpp"
+#include "core/geometry/principal_axes.hpp"
 #include "core/rocks/recipe.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -37,12 +35,12 @@ std::vector<NamedMould> make_moulds(const LibraryRecipe& recipe, std::vector<std
     moulds.push_back({"cylinder", Mould(cylinder_shape(cylinder->slenderness, cylinder->loading_angle))});
     return moulds;
   }
-  const auto& files = std::get<ShapeFiles>(recipe.shapes);
-  for (const std::string& path : files.paths) {
-    ReadMesh read = read_solid(path);
-    if (files.corners > 0) read.mesh = coarse_polyhedron(read.mesh, files.corners);
-    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-    moulds.push_back({std::filesystem::path(path).stem().string(), Mould(make_shape(read.mesh))});
+  const auto& given = std::get<GivenShapes>(recipe.shapes);
+  for (const GivenShape& shape : given.shapes) {
+    RepairedMesh solid = shape.load();
+    if (given.corners > 0) solid.mesh = coarse_polyhedron(solid.mesh, given.corners);
+    notes.insert(notes.end(), solid.notes.begin(), solid.notes.end());
+    moulds.push_back({shape.name, Mould(make_shape(solid.mesh))});
   }
   return moulds;
 }
@@ -51,7 +49,7 @@ double cube(double x) {
   return x * x * x;
 }
 
-/// Quantities that say how good a model of the solid rock the particles are.
+/// Measures how well the particles model the solid rock.
 void measure(RockTemplate& rock, const RockShape& shape, double rock_density) {
   const double volume = sphere_volume(rock.radii), solid_mass = rock_density * rock.solid_volume;
   rock.packing_fraction = volume / rock.solid_volume;
@@ -96,7 +94,7 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
   return rock;
 }
 
-/// Calls work(k) for k = count - 1, ..., 0: the largest rocks first, so that no thread is left alone with one.
+/// Calls work(k) for k = count - 1, ..., 0 on all threads: the largest rocks first, so that no thread ends with one.
 template <class Work>
 void for_each_downwards(int count, const Work& work) {
   std::exception_ptr failure;
@@ -112,7 +110,7 @@ void for_each_downwards(int count, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Makes the packings that the rocks will be cut from, so that no two of them wait for the same one.
+/// Makes the packings that the rocks will be cut from, so that no two rocks wait for the same one.
 void make_packings(const RangeFill& range, const std::vector<double>& diameters) {
   std::set<Grading> gradings;
   for (const double diameter : diameters) gradings.insert(grading_of(range, diameter));
@@ -134,41 +132,27 @@ RockLibrary build(const LibraryRecipe& recipe, const SizeDistribution& sizes) {
 
 }  // namespace
 
-RockLibrary make_library(const LibraryRecipe& recipe, const std::string& cache_folder) {
+RockLibrary make_library(const LibraryRecipe& recipe) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   check_recipe(recipe);
-  const SizeDistribution sizes(recipe.sizes);
-  const std::string text = recipe_text(recipe);
-  std::optional<RockLibrary> library;
-  if (!cache_folder.empty()) library = read_cached(cache_folder, text);
-  if (!library) {
-    library = build(recipe, sizes);
-    if (!cache_folder.empty()) write_cached(cache_folder, text, *library);
-  }
-  library->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  return std::move(*library);
+  RockLibrary library = build(recipe, SizeDistribution(recipe.sizes));
+  library.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return library;
 }
 
 double cylinder_diameter(const CylinderSpecimen& specimen, double sphere) {
-  // The flats take two segments of the circle off: section D^2/4 (pi - a + sin a), length slenderness D.
+  // The flats cut two segments off the circle: section D^2/4 (pi - a + sin a), length slenderness D.
   const double angle = specimen.loading_angle;
   const double kept = 1 - (angle - std::sin(angle)) / std::numbers::pi;
   return sphere * std::cbrt(2 / (3 * specimen.slenderness * kept));
 }
 
 double swell_of_crumbled(const RockLibrary& library) {
-  constexpr double loose_bed = 0.60;  // of equal spheres poured; a range of sizes lies denser
+  constexpr double loose_bed = 0.60;  // of equal spheres, poured; a range of sizes packs more densely
   double sum = 0;
   for (const RockTemplate& rock : library.rocks) sum += rock.packing_fraction;
   return library.rocks.empty() ? 0 : sum / static_cast<double>(library.rocks.size()) / loose_bed;
-}
-
-std::string default_cache_folder() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  if (cache && *cache) return std::string(cache) + "/gyrosim";
-  const char* home = std::getenv("HOME");
-  return home && *home ? std::string(home) + "/.cache/gyrosim" : std::string();
 }
 
 }  // namespace gyro

@@ -34,10 +34,10 @@ DampedBond damped_bond(const BondParameters& p, const TemplateBond& bond, double
           damped(k.bending, reduced_inertia)};
 }
 
-Row12 row(const Vec3d& xi, const Vec3d& orientation_i, const Vec3d& xj, const Vec3d& orientation_j) {
+Row12 row(const Vec3d& xi, const Vec3d& rotation_i, const Vec3d& xj, const Vec3d& rotation_j) {
   Row12 r;
-  r << xi.x, xi.y, xi.z, orientation_i.x, orientation_i.y, orientation_i.z, xj.x, xj.y, xj.z, orientation_j.x,
-      orientation_j.y, orientation_j.z;
+  r << xi.x, xi.y, xi.z, rotation_i.x, rotation_i.y, rotation_i.z, xj.x, xj.y, xj.z, rotation_j.x, rotation_j.y,
+      rotation_j.z;
   return r;
 }
 
@@ -49,8 +49,8 @@ struct Element {
   }
 };
 
-/// Stretch u = x_j - x_i - (turn_i x n) L_i - (turn_j x n) L_j, with L_i + L_j = L0 so that angular momentum
-/// is kept; turn theta = turn_j - turn_i.
+/// Elongation u = x_j - x_i - (rotation_i x n) L_i - (rotation_j x n) L_j, with L_i + L_j = L0 so that angular momentum
+/// is conserved; relative rotation theta = rotation_j - rotation_i.
 Element bond_element(const RockTemplate& rock, const TemplateBond& bond, const DampedBond& springs) {
   const Vec3d zero{0, 0, 0}, d = rock.centres[bond.j] - rock.centres[bond.i];
   const Vec3d n = (1 / norm(d)) * d;
@@ -61,14 +61,14 @@ Element bond_element(const RockTemplate& rock, const TemplateBond& bond, const D
   element.add(row(-n, zero, n, zero), springs.normal);
   element.add(row(zero, -n, zero, n), springs.twist);
   for (const Vec3d& t : {t1, t2}) {
-    const Vec3d lever = cross(n, t);  // t . (turn x n) = turn . (n x t)
+    const Vec3d lever = cross(n, t);  // t . (rotation x n) = rotation . (n x t)
     element.add(row(-t, -arm_i * lever, t, -arm_j * lever), springs.shear);
     element.add(row(zero, -t, zero, t), springs.bending);
   }
   return element;
 }
 
-/// Diagonal part that the bed adds to one particle, [0] for translations, [1] for turns.
+/// Diagonal part that the bed adds to one particle, [0] for translations, [1] for rotations.
 std::array<SpringDamper, 2> bed_springs(const BedContacts& bed, double radius, double mass) {
   constexpr double counterphase = 2;
   const double kn = bed.normal_stiffness * radius, kt = bed.tangential_stiffness * radius;
@@ -104,12 +104,12 @@ LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, cons
     const Index i = bond.i, j = bond.j;
     const auto reduced = [&](const std::vector<double>& m) { return m[i] * m[j] / (m[i] + m[j]); };
     const Element e = bond_element(rock, bond, damped_bond(bonds, bond, reduced(mass), reduced(inertia)));
-    const auto place = [&](int k) { return k < 6 ? 6 * i + k : 6 * j + k - 6; };
+    const auto row = [&](int k) { return k < 6 ? 6 * i + k : 6 * j + k - 6; };
     for (int a = 0; a < 12; ++a) {
       for (int b = 0; b < 12; ++b) {
-        const double scale = linear.inverse_root_mass[place(a)] * linear.inverse_root_mass[place(b)];
-        stiffness.emplace_back(place(a), place(b), scale * e.stiffness(a, b));
-        damping.emplace_back(place(a), place(b), scale * e.damping(a, b));
+        const double scale = linear.inverse_root_mass[row(a)] * linear.inverse_root_mass[row(b)];
+        stiffness.emplace_back(row(a), row(b), scale * e.stiffness(a, b));
+        damping.emplace_back(row(a), row(b), scale * e.damping(a, b));
       }
     }
   }

@@ -8,7 +8,7 @@
 namespace gyro {
 
 /// A rock linearised at rest, scaled to unit masses: M^-1/2 K M^-1/2 and M^-1/2 C M^-1/2 [1/s2, 1/s].
-/// Six rows a particle: x, y, z, then the turns about them. Only for this folder and its tests:
+/// Six rows a particle: x, y, z, then the rotations about them. Only for this folder, its tests and `verify`:
 /// the header needs Eigen.
 struct LinearRock {
   Eigen::SparseMatrix<double> stiffness, damping;

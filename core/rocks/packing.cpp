@@ -14,8 +14,8 @@ namespace gyro {
 namespace {
 
 /// Packing fraction of equal soft spheres. Random equal spheres jam at about 0.639 (O'Hern et al., Phys.
-/// Rev. E 68 (2003) 011306). One percent below, the energy falls to nothing in half the steps, overlaps
-/// end at 0.4 % of the radius instead of 2 %, and the neighbours within 0.05 radius are as many (7.2).
+/// Rev. E 68 (2003) 011306). At this fraction, 1 % below, the energy relaxes to zero in half the steps,
+/// overlaps end at 0.4 % of the radius instead of 2 %, and there are as many neighbours within 0.05 radius (7.2).
 constexpr double soft_fraction = 0.632;
 constexpr double largest_overlap = 0.009;  // [smaller radius]
 constexpr double sphere_volume = 4 * std::numbers::pi / 3;
@@ -37,7 +37,7 @@ SoftSpheres random_spheres(std::vector<double> radii, double fraction, double li
   return {std::move(points), std::move(radii), side, list_skin};
 }
 
-/// Random points in a vessel. One that does not find room in a thousand draws is left for the faces to push in.
+/// Random points in a vessel. A point still outside after a thousand draws stays there: the faces push it in.
 std::vector<Vec3d> points_in(const Vessel& vessel, int count, std::uint64_t seed, std::uint64_t first) {
   constexpr std::uint32_t draws = 3000;
   std::vector<Vec3d> points;
@@ -57,7 +57,7 @@ std::vector<Vec3d> points_in(const Vessel& vessel, int count, std::uint64_t seed
   return points;
 }
 
-/// Takes the spheres as hard ones, in a cube large enough for that.
+/// Grows the cube until the overlaps are negligible, and wraps the centres into it.
 Packing hardened(SoftSpheres soft) {
   soft.scale(soft.growth_to(largest_overlap));
   Packing packing;
@@ -72,7 +72,7 @@ Packing hardened(SoftSpheres soft) {
   return packing;
 }
 
-/// Shrinks the cube in ever smaller steps of the fraction while the spheres find places.
+/// Shrinks the cube, in smaller and smaller steps of the fraction, while the overlaps still relax.
 void compress(SoftSpheres& spheres) {
   constexpr double first_gain = 0.03, min_gain = 0.001;
   constexpr int steps = 600;
@@ -86,7 +86,7 @@ void compress(SoftSpheres& spheres) {
   }
 }
 
-/// Draws loose spheres to their neighbours.
+/// Draws loose spheres to their neighbours by a short-ranged attraction.
 void gather_loose(SoftSpheres& spheres) {
   constexpr double cohesion = 0.002, reach = 0.15;
   spheres.set_cohesion(cohesion, reach);
@@ -109,7 +109,7 @@ const Packing& rock_packing() {
   return packing;
 }
 
-// Volume by size goes as x^(m - 1), so number by size as x^(m - 4).
+// The density of volume over size is proportional to x^(m - 1), so that of the number to x^(m - 4).
 double radius_at(const Grading& grading, double u) {
   const double e = grading.exponent - 3;
   if (std::abs(e) < 1e-6) return std::pow(grading.ratio, u);
@@ -126,9 +126,9 @@ double mean_cubed_radius(const Grading& grading) {
 
 Packing jam_graded(const Grading& grading, std::uint64_t seed) {
   constexpr double list_skin = 0.8, loose_fraction = 0.58, guess = 0.66, largest_diameters = 5;
-  constexpr int fewest = 400;
+  constexpr int min_spheres = 400;
   const double cube = std::pow(2 * largest_diameters * grading.ratio, 3);
-  const int count = std::max(fewest, static_cast<int>(guess * cube / sphere_volume / mean_cubed_radius(grading)));
+  const int count = std::max(min_spheres, static_cast<int>(guess * cube / sphere_volume / mean_cubed_radius(grading)));
   std::vector<double> radii;
   for (int k = 0; k < count; ++k) radii.push_back(radius_at(grading, (k + 0.5) / count));
   SoftSpheres soft = random_spheres(std::move(radii), loose_fraction, list_skin, seed);
@@ -160,9 +160,9 @@ const Packing& rock_packing(const Grading& grading) {
   Entry* entry;
   {
     const std::lock_guard<std::mutex> lock(guard);
-    std::unique_ptr<Entry>& place = entries[grading];
-    if (!place) place = std::make_unique<Entry>();
-    entry = place.get();
+    std::unique_ptr<Entry>& found = entries[grading];
+    if (!found) found = std::make_unique<Entry>();
+    entry = found.get();
   }
   std::call_once(entry->made, [&] { entry->packing = jam_graded(grading, 1); });
   return entry->packing;

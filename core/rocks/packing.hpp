@@ -11,46 +11,46 @@ namespace gyro {
 
 /// Spheres in a periodic cube [0, side)^3, or in a vessel of that volume. The smallest has the radius 1.
 struct Packing {
-  double side = 0;
-  std::vector<Vec3d> centres;
-  std::vector<double> radii;
-  double fraction = 0;  ///< volume of the spheres / volume of the cube
-  double overlap = 0;   ///< largest overlap of two spheres / smaller radius
+  double side = 0;             ///< [smallest radius]
+  std::vector<Vec3d> centres;  ///< [smallest radius]
+  std::vector<double> radii;   ///< [smallest radius]
+  double fraction = 0;         ///< volume of the spheres / volume of the cube
+  double overlap = 0;          ///< largest overlap of two spheres / smaller radius
 };
 
 /// Jams equal spheres: random points become soft spheres at a packing fraction of 0.632, their elastic energy
-/// is minimised, and where an overlap is left above 0.9 % of the radius the cube grows by it. The result depends on the
-/// arguments only.
-/// @param spheres at least 200, so that no sphere meets itself
+/// is minimised, and if an overlap above 0.9 % of the radius remains the cube grows to remove it. The result depends on
+/// the arguments only.
+/// @param spheres  at least 200, so that no sphere touches its own image
 Packing jam_spheres(int spheres, std::uint64_t seed);
 
-/// The packing that all rocks of equal spheres are cut from: 2500 spheres, made on first use (0.7 s).
+/// The packing from which all rocks of equal spheres are cut: 2500 spheres, made on first use (0.7 s).
 const Packing& rock_packing();
 
-/// Radii of spheres by volume: the share (x^exponent - 1)/(ratio^exponent - 1) of the volume is finer than x.
+/// Distribution of radii by volume: the share (x^exponent - 1)/(ratio^exponent - 1) of the volume is finer than x.
 struct Grading {
   double ratio = 1;       ///< largest radius / smallest radius, at least 1 [-]
   double exponent = 0.8;  ///< [-]
   auto operator<=>(const Grading&) const = default;
 };
 
-/// The radius that the share u in [0, 1] of the *number* of spheres is finer than [smallest radius].
+/// The radius [smallest radius] below which the share u in [0, 1] of the *number* of spheres lies.
 double radius_at(const Grading& grading, double u);
 /// Mean of radius^3 over the number of spheres [smallest radius^3].
 double mean_cubed_radius(const Grading& grading);
 
-/// Jams spheres of many sizes, their radii at even quantiles of the grading. The cube shrinks step by step as long as
-/// the spheres still get out of each other's way; those that are left without neighbours are then drawn to the next
-/// ones by a short-ranged pull, so that all can be bonded. The cube is 5 largest diameters wide.
+/// Jams spheres of many sizes, their radii at even quantiles of the grading. The cube shrinks step by step while the
+/// overlaps still relax; then a short-ranged attraction draws spheres without neighbours to the next ones, so that all
+/// can be bonded. The cube is 5 largest diameters wide.
 Packing jam_graded(const Grading& grading, std::uint64_t seed);
 
-/// Jams equal spheres in a vessel whose origin is inside: it shrinks as long as they get out of each other's way. So
-/// its faces have a layer of spheres that touch them, like those of a specimen that is made in a mould
+/// Jams equal spheres in a vessel that contains the origin: it shrinks while the overlaps still relax. So a layer of
+/// spheres touches each face, as in a specimen that is made in a mould
 /// (Potyondy & Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329, section 3.1).
 /// @param first number of the first sphere in the random stream
 Packing jam_in(Vessel vessel, int spheres, std::uint64_t seed, std::uint64_t first);
 
-/// The packing that rocks of this grading are cut from, made once per process. Safe from several threads.
+/// The packing from which rocks of this grading are cut, made once per process. Safe to call from several threads.
 const Packing& rock_packing(const Grading& grading);
 
 }  // namespace gyro

@@ -2,7 +2,6 @@
 #include "core/rocks/recipe.hpp"
 
 #include "core/base/errors.hpp"
-#include "core/geometry/stl_file.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -10,7 +9,7 @@
 namespace gyro {
 namespace {
 
-/// To be raised with every change that makes other rocks from the same recipe.
+/// Raise it with every change that makes other rocks from the same recipe.
 constexpr int generator_version = 3;
 constexpr int max_samples = 10000;
 
@@ -22,7 +21,7 @@ class Text {
     std::snprintf(digits, sizeof digits, "%a", value);
     word(key, digits);
   }
-  std::string take() { return std::move(text_); }
+  std::string finish() { return std::move(text_); }
 
  private:
   std::string text_;
@@ -50,11 +49,9 @@ void add(Text& text, const ProceduralShapes& shapes) {
   text.number("angularity", style.angularity), text.number("roughness", style.roughness);
 }
 
-void add(Text& text, const ShapeFiles& shapes) {
-  text.word("corners", std::to_string(shapes.corners));
-  for (const std::string& path : shapes.paths) {  // the path itself too: it is in the rocks' names
-    text.word("file " + path, fnv1a_128(read_bytes(path)));
-  }
+void add(Text& text, const GivenShapes& given) {
+  text.word("corners", std::to_string(given.corners));
+  for (const GivenShape& shape : given.shapes) text.word("shape " + shape.name, shape.content);
 }
 
 void add(Text& text, const CylinderSpecimen& specimen) {
@@ -83,7 +80,7 @@ void add(Text& text, const RangeFill& fill) {
 }
 
 void check_not_negative(const std::string& name, double value) {
-  if (!(std::isfinite(value) && value >= 0)) throw BadInput(name + " must be a number of at least 0");
+  if (!(std::isfinite(value) && value >= 0)) throw BadInput(name + " must be >= 0");
 }
 
 }  // namespace
@@ -91,24 +88,24 @@ void check_not_negative(const std::string& name, double value) {
 void check_recipe(const LibraryRecipe& recipe) {
   if (const auto* procedural = std::get_if<ProceduralShapes>(&recipe.shapes)) {
     if (procedural->count < 1 || procedural->count > max_samples) {
-      throw BadInput("rocks.shapes: the number of procedural shapes must be 1 to 10000");
+      throw BadInput("rocks.shapes.procedural must be between 1 and 10000");
     }
     check_style(procedural->style);
   } else if (const auto* cylinder = std::get_if<CylinderSpecimen>(&recipe.shapes)) {
     if (!(cylinder->slenderness >= 0.1 && cylinder->slenderness <= 10))
-      throw BadInput("rocks.shapes.cylinder must be 0.1 to 10");
+      throw BadInput("rocks.shapes.cylinder must be between 0.1 and 10");
     if (!(cylinder->loading_angle >= 0 && cylinder->loading_angle <= 1))
-      throw BadInput("rocks.shapes.loading_angle must be 0 to 1 rad");
+      throw BadInput("rocks.shapes.loading_angle must be between 0 and 1 rad");
   } else {
-    const auto& files = std::get<ShapeFiles>(recipe.shapes);
-    if (files.paths.empty()) throw BadInput("rocks.shapes: the list of files is empty; name STL or OBJ files");
-    if (files.corners != 0 && (files.corners < 8 || files.corners > max_samples))
-      throw BadInput("rocks.shapes.corners must be 8 to 10000");
+    const auto& given = std::get<GivenShapes>(recipe.shapes);
+    if (given.shapes.empty()) throw BadInput("rocks.shapes.files is empty; name at least one STL or OBJ file");
+    if (given.corners != 0 && (given.corners < 8 || given.corners > max_samples))
+      throw BadInput("rocks.shapes.corners must be between 8 and 10000");
   }
-  if (recipe.samples < 1 || recipe.samples > max_samples) throw BadInput("rocks.sizes.samples must be 1 to 10000");
+  if (recipe.samples < 1 || recipe.samples > max_samples) throw BadInput("rocks.samples must be between 1 and 10000");
   check_rule(recipe.fill);
   if (!(std::isfinite(recipe.rock_density) && recipe.rock_density > 0)) {
-    throw BadInput("the rock's density must be a positive number");
+    throw BadInput("the rock's density must be a finite number above 0");
   }
   check_rule(recipe.bond_rule);
   check_not_negative("bonds.normal_stiffness", recipe.bond_parameters.normal_stiffness);
@@ -144,19 +141,7 @@ std::string recipe_text(const LibraryRecipe& recipe) {
   text.number("bed tangential stiffness", recipe.bed.tangential_stiffness);
   text.number("bed normal damping", recipe.bed.normal_damping);
   text.number("bed tangential damping", recipe.bed.tangential_damping);
-  return text.take();
-}
-
-std::string fnv1a_128(std::string_view bytes) {
-  __extension__ using Word = unsigned __int128;
-  // Offset and prime of draft-eastlake-fnv.
-  Word hash = (Word{0x6c62272e07bb0142u} << 64) | Word{0x62b821756295c58du};
-  const Word prime = (Word{1} << 88) | Word{0x13b};
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * prime;
-  char digits[33];
-  std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(hash >> 64),
-                static_cast<unsigned long long>(hash));
-  return digits;
+  return text.finish();
 }
 
 }  // namespace gyro

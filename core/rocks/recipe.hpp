@@ -7,14 +7,11 @@
 
 namespace gyro {
 
-/// @throws BadInput a number is out of range
+/// @throws BadInput if a number is out of range
 void check_recipe(const LibraryRecipe& recipe);
 
-/// Everything that decides a library, one line each, numbers to the last bit, shape files by content.
-/// @throws BadInput a shape file cannot be read
+/// Everything that a library depends on, one line each, numbers to the last bit, given shapes by their `content`. Equal
+/// texts, equal libraries: the key of a cache.
 std::string recipe_text(const LibraryRecipe& recipe);
-
-/// 128-bit FNV-1a hash, 32 hexadecimal digits.
-std::string fnv1a_128(std::string_view bytes);
 
 }  // namespace gyro

@@ -16,8 +16,8 @@ struct TemplateBond {
   double radius;  ///< radius of the bond's circular section, Rb [m]
 };
 
-/// A meta-particle: a rock as a bonded packing of spheres, at rest, centred on its centre
-/// of mass, in its own frame. The feed makes any number of rocks from one template.
+/// A meta-particle: a rock as a bonded packing of spheres at rest. Its own frame has its origin in the centre
+/// of mass. The feed makes any number of rocks from one template.
 struct RockTemplate {
   std::string name;
   double diameter = 0;               ///< of the sphere of equal solid volume [m]
@@ -26,25 +26,25 @@ struct RockTemplate {
   std::vector<Vec3d> centres;        ///< of the particles [m]
   std::vector<double> radii;         ///< [m]
   double particle_density = 0;       ///< [kg/m3], the same for all particles of the template
-  std::vector<TemplateBond> bonds;   ///< grouped by colour: inside a colour no two share a particle
-  std::vector<Index> colour_begin;   ///< first bond of each colour, and the number of bonds at the end
+  std::vector<TemplateBond> bonds;   ///< grouped by colour: two of one colour share no particle
+  std::vector<Index> colour_begin;   ///< first bond of each colour, and last the number of bonds
   double bounding_radius = 0;        ///< of the sphere about the centre of mass that holds all particles [m]
   double packing_fraction = 0;       ///< volume of the particles / solid volume [-]
-  double coordination = 0;           ///< bonds per particle, times two [-]
+  double coordination = 0;           ///< mean number of bonds that a particle has [-]
   double mass_error = 0;             ///< (mass of particles - mass of solid rock) / mass of solid rock [-]
   double inertia_error = 0;          ///< largest relative error of a principal moment of inertia [-]
   double centre_error = 0;           ///< distance of the particles' centre of mass from the solid's / diameter [-]
-  double critical_step = 0;          ///< stability limit of the damped step map [s], bonds and bed contacts
-  std::vector<Vec3d> hull_vertices;  ///< surface of the shape (of a fine scan: its convex hull), for previews
+  double critical_step = 0;          ///< stability limit of the damped step map, with bonds and bed contacts [s]
+  std::vector<Vec3d> hull_vertices;  ///< surface of the shape (of a fine scan: its convex hull), for pictures [m]
   std::vector<Vec3<Index>> hull_faces;
 };
 
 /// The library of a case. Sorted by diameter.
 struct RockLibrary {
   std::vector<RockTemplate> rocks;
-  double seconds = 0;  ///< time it took to make or to read [s]
+  double seconds = 0;  ///< wall time of making or reading [s]
   bool from_cache = false;
-  std::vector<std::string> notes;  ///< repairs made to shape files, for the log
+  std::vector<std::string> notes;  ///< repairs of given shapes, for the log
 };
 
 }  // namespace gyro

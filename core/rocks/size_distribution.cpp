@@ -16,13 +16,15 @@ bool positive(double x) {
 void check(const PassingTable& law) {
   const auto& p = law.points;
   if (p.size() < 2) {
-    throw BadInput("passing table has " + std::to_string(p.size()) + " rows; at least 2 are needed");
+    throw BadInput("passing table: has " + std::to_string(p.size()) + " rows; at least 2 are needed");
   }
   for (std::size_t k = 0; k < p.size(); ++k) {
-    if (!positive(p[k].size)) throw BadInput("passing table: a size is not a positive number of metres");
-    if (!(p[k].fraction >= 0 && p[k].fraction <= 1)) throw BadInput("passing table: a fraction is outside 0 to 1");
-    if (k > 0 && !(p[k].size > p[k - 1].size)) throw BadInput("passing table: sizes must ascend");
-    if (k > 0 && p[k].fraction < p[k - 1].fraction) throw BadInput("passing table: fractions must not fall with size");
+    if (!positive(p[k].size)) throw BadInput("passing table: every size must be > 0");
+    if (!(p[k].fraction >= 0 && p[k].fraction <= 1))
+      throw BadInput("passing table: every fraction must be between 0 and 1");
+    if (k > 0 && !(p[k].size > p[k - 1].size)) throw BadInput("passing table: sizes must rise from row to row");
+    if (k > 0 && p[k].fraction < p[k - 1].fraction)
+      throw BadInput("passing table: fractions must not fall from row to row");
   }
   if (p.front().fraction != 0) throw BadInput("passing table: the first fraction must be 0, for the smallest rock");
   if (p.back().fraction != 1) throw BadInput("passing table: the last fraction must be 1, for the largest rock");
@@ -30,19 +32,19 @@ void check(const PassingTable& law) {
 
 void check(const RosinRammler& law) {
   if (!positive(law.x63) || !positive(law.exponent)) {
-    throw BadInput("Rosin-Rammler law: x63 and exponent must be positive");
+    throw BadInput("Rosin-Rammler law: x63 and exponent must be > 0");
   }
   if (!(positive(law.smallest) && positive(law.largest) && law.smallest < law.largest)) {
-    throw BadInput("Rosin-Rammler law: cut-offs needed with 0 < smallest < largest");
+    throw BadInput("Rosin-Rammler law: the cut-offs must be 0 < smallest < largest");
   }
 }
 
 void check(const GatesGaudinSchuhmann& law) {
   if (!positive(law.largest) || !positive(law.exponent)) {
-    throw BadInput("Gates-Gaudin-Schuhmann law: largest size and exponent must be positive");
+    throw BadInput("Gates-Gaudin-Schuhmann law: largest size and exponent must be > 0");
   }
   if (!(positive(law.smallest) && law.smallest < law.largest)) {
-    throw BadInput("Gates-Gaudin-Schuhmann law: smallest size must be above 0 and below the largest");
+    throw BadInput("Gates-Gaudin-Schuhmann law: the sizes must be 0 < smallest < largest");
   }
 }
 
@@ -58,7 +60,7 @@ double passing_of(const PassingTable& law, double x) {
 
 double size_of(const PassingTable& law, double fraction) {
   const auto& q = law.points;
-  if (fraction <= 0) {  // the largest size that nothing passes, not the first row of a run of zeros
+  if (fraction <= 0) {  // the largest size that nothing passes, which is the last of the rows with 0
     const auto first = std::find_if(q.begin(), q.end(), [](const PassingPoint& a) { return a.fraction > 0; });
     return (first - 1)->size;
   }

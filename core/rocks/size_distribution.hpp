@@ -13,7 +13,7 @@ struct PassingPoint {
   double fraction;  ///< in [0, 1]
 };
 
-/// Straight lines between sieves: sizes ascending, fractions not falling, first 0 and last 1.
+/// Linear between sieves: sizes rise, fractions do not fall, the first is 0 and the last 1.
 struct PassingTable {
   std::vector<PassingPoint> points;
 };
@@ -32,9 +32,8 @@ struct GatesGaudinSchuhmann {
   double smallest;  ///< cut-off, above 0 [m]
 };
 
-/// The feed for which crusher makers state capacities (as in brochures of primary gyratory crushers):
-/// all passes 0.8, 80 % pass 0.6 and 50 % pass 0.1 of the feed opening; straight lines between, from the smallest size
-/// on.
+/// The feed for which makers state capacities (brochures of primary gyratory crushers): all of it passes 0.8, 80 % pass
+/// 0.6 and 50 % pass 0.1 of the feed opening; linear between, from the smallest size on.
 /// @throws BadInput unless 0 < smallest < 0.1 feed_opening
 PassingTable vendor_feed(double feed_opening, double smallest);
 
@@ -44,7 +43,7 @@ using SizeLaw = std::variant<PassingTable, RosinRammler, GatesGaudinSchuhmann>;
 /// solid volume.
 class SizeDistribution {
  public:
-  /// @throws BadInput if the law's numbers make no distribution
+  /// @throws BadInput if the law's numbers are no distribution
   explicit SizeDistribution(SizeLaw law);
 
   /// Mass fraction smaller than the size [m], in [0, 1].

@@ -8,7 +8,7 @@
 namespace gyro {
 namespace {
 
-/// Spheres of a periodic cube by cells that are at least `reach` wide.
+/// Spheres of a periodic cube, sorted into cells that are at least `reach` wide.
 class CellGrid {
  public:
   CellGrid(double side, double reach)
@@ -16,12 +16,12 @@ class CellGrid {
         cells_(std::max(3, static_cast<int>(side / reach))),
         members_(static_cast<std::size_t>(cells_) * cells_ * cells_) {}
 
-  void add(const Vec3d& x, Index i) { members(place(x.x), place(x.y), place(x.z)).push_back(i); }
+  void add(const Vec3d& x, Index i) { members(cell(x.x), cell(x.y), cell(x.z)).push_back(i); }
 
   /// Calls visit(j) for all members of the 27 cells around a point.
   template <class Visit>
-  void look(const Vec3d& x, const Visit& visit) {
-    const int a = place(x.x) + cells_, b = place(x.y) + cells_, c = place(x.z) + cells_;
+  void visit_around(const Vec3d& x, const Visit& visit) {
+    const int a = cell(x.x) + cells_, b = cell(x.y) + cells_, c = cell(x.z) + cells_;
     for (int k = 0; k < 27; ++k) {
       for (const Index j : members((a + k / 9 - 1) % cells_, (b + k / 3 % 3 - 1) % cells_, (c + k % 3 - 1) % cells_))
         visit(j);
@@ -29,7 +29,7 @@ class CellGrid {
   }
 
  private:
-  int place(double c) const {
+  int cell(double c) const {
     const int k = static_cast<int>(std::floor(c / side_ * cells_)) % cells_;
     return k < 0 ? k + cells_ : k;
   }
@@ -57,14 +57,14 @@ Vec3d nearest_image(const Vec3d& d, double side) {
 
 SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_skin)
     : side_(side),
-      margin_(list_skin),
+      skin_(list_skin),
       largest_radius_(*std::max_element(radii.begin(), radii.end())),
       radii_(std::move(radii)),
       x_(std::move(centres)),
       v_(x_.size(), Vec3d{0, 0, 0}),
       force_(x_.size()) {}
 
-// With a period of four reaches no sphere meets an image of another one.
+// With a period of four reaches no sphere touches an image of another one.
 SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_skin)
     : SoftSpheres(std::move(centres), std::move(radii), 4 * vessel.reach, list_skin) {
   vessel_ = std::move(vessel);
@@ -111,51 +111,51 @@ void SoftSpheres::scale(double factor) {
   for (Vec3d& x : x_) x = factor * x;
 }
 
-/// Pairs whose surfaces are closer than the margin. Spheres are sorted into levels, one for each factor 2 of radius,
-/// each with a grid of cells as wide as its longest reach; each sphere looks in its own level and in coarser ones.
+/// Lists the pairs whose surfaces are closer than the skin. Spheres are sorted into levels, one for each factor 2 of
+/// radius, each with a grid of cells as wide as its longest reach. Each sphere searches its own level and coarser ones.
 void SoftSpheres::find_pairs() {
   std::vector<CellGrid> levels;
   for (double largest = 1; levels.empty() || largest / 2 < largest_radius_; largest *= 2)
-    levels.emplace_back(side_, 2 * std::min(largest, largest_radius_) + margin_);
+    levels.emplace_back(side_, 2 * std::min(largest, largest_radius_) + skin_);
   pairs_.clear();
   const auto count = static_cast<Index>(x_.size());
   std::vector<std::size_t> level(x_.size());
   for (Index i = 0; i < count; ++i) {
     level[i] = static_cast<std::size_t>(std::ceil(std::log2(radii_[i])));
-    levels[level[i]].look(x_[i], [&](Index j) { add_if_close(j, i); });  // with the earlier ones only
+    levels[level[i]].visit_around(x_[i], [&](Index j) { add_if_close(j, i); });  // those added before
     levels[level[i]].add(x_[i], i);
   }
   for (Index i = 0; i < count; ++i) {
     for (std::size_t coarser = level[i] + 1; coarser < levels.size(); ++coarser)
-      levels[coarser].look(x_[i], [&](Index j) { add_if_close(j, i); });
+      levels[coarser].visit_around(x_[i], [&](Index j) { add_if_close(j, i); });
   }
   find_touches();
-  listed_ = x_;
+  x_listed_ = x_;
 }
 
 void SoftSpheres::find_touches() {
   touches_.clear();
   for (Index i = 0; i < static_cast<Index>(x_.size()); ++i) {
     for (std::size_t k = 0; k < vessel_.faces.size(); ++k)
-      if (depth({i, k}) > -margin_) touches_.push_back({i, k});
+      if (depth({i, k}) > -skin_) touches_.push_back({i, k});
   }
 }
 
-/// How far a sphere reaches through a face.
+/// Overlap of a sphere with a face.
 double SoftSpheres::depth(const Touch& touch) const {
   const Vessel::Face& face = vessel_.faces[touch.face];
   return dot(face.normal, x_[touch.i]) + radii_[touch.i] - face.offset;
 }
 
 void SoftSpheres::add_if_close(Index j, Index i) {
-  const double far = radii_[i] + radii_[j] + margin_;
+  const double far = radii_[i] + radii_[j] + skin_;
   if (norm2(nearest_image(x_[i] - x_[j], side_)) < far * far) pairs_.push_back({j, i});
 }
 
 bool SoftSpheres::moved_too_far() const {
-  const double allowed = margin_ - reach_;
+  const double allowed = skin_ - reach_;
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    if (norm2(x_[i] - listed_[i]) > allowed * allowed / 4) return true;
+    if (norm2(x_[i] - x_listed_[i]) > allowed * allowed / 4) return true;
   }
   return false;
 }

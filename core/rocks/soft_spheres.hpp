@@ -11,7 +11,7 @@ namespace gyro {
 /// Shortest difference between images in a periodic cube.
 Vec3d nearest_image(const Vec3d& d, double side);
 
-/// A convex room that spheres are held in, around the origin.
+/// A convex container of spheres around the origin.
 struct Vessel {
   struct Face {
     Vec3d normal;   ///< outwards
@@ -22,36 +22,36 @@ struct Vessel {
   double reach = 0;  ///< of the furthest corner
 };
 
-/// Makes a vessel larger about the origin.
+/// Scales a vessel about the origin.
 void scale(Vessel& vessel, double factor);
 
-/// Soft spheres in a periodic cube, or in a vessel, on their way to rest. The unit of length is the smallest radius.
+/// Soft spheres in a periodic cube, or in a vessel, that relax to rest. The unit of length is the smallest radius.
 ///
-/// Two spheres push with 2 R* overlap, R* = Ri Rj/(Ri + Rj), and a sphere has the mass Ri: under one pressure all
-/// overlaps are then alike relative to the radii, and all contacts vibrate alike. Closer than `reach` they pull with
-/// 2 R* cohesion (1 - gap/reach), if they are told to. A face of a vessel pushes with 2 Ri overlap. Pair lists hold
-/// what is closer than `list_margin`, which changes speed and the last bits.
+/// Two spheres repel each other with the force 2 R* overlap, R* = Ri Rj/(Ri + Rj), and a sphere has the mass Ri. So
+/// under one pressure all overlaps relative to the radii are similar, and all contacts have similar frequencies. With
+/// cohesion, spheres closer than `reach` attract each other with 2 R* cohesion (1 - gap/reach). A face of a vessel
+/// repels with 2 Ri overlap. Neighbour lists hold pairs closer than `list_skin`, which affects speed and the last bits.
 class SoftSpheres {
  public:
   SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_skin);
   /// @param centres inside the vessel
   SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_skin);
 
-  /// Goes downhill (FIRE: Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201, its parameters) until no force exceeds the
-  /// tolerance or no overlap the limit. @return whether it got there in so many steps
+  /// Relaxes (FIRE: Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201, with its parameters) until no force exceeds the
+  /// tolerance or no overlap exceeds the limit. @return whether max_steps were enough
   bool settle(double force_tolerance, int max_steps, double overlap_limit = 0);
 
-  /// Brings everything closer or further apart.
+  /// Scales all positions, the cube and the vessel, but not the radii.
   void scale(double factor);
   void set_cohesion(double cohesion, double reach) { cohesion_ = cohesion, reach_ = reach; }
 
   /// Largest (overlap/smaller radius) of all pairs, and of spheres and faces.
   double largest_overlap() const;
-  /// Factor on all distances, at least 1, that leaves no overlap above the limit [smaller radius].
+  /// Factor on all distances, at least 1, that reduces every overlap to the limit [smaller radius].
   double growth_to(double overlap) const;
   /// Volume of the spheres / volume of the cube or vessel.
   double fraction() const;
-  /// Of the cube, or of one as large as the vessel.
+  /// Side of the cube, or of a cube with the volume of the vessel.
   double side() const;
   const std::vector<Vec3d>& centres() const { return x_; }
   const std::vector<double>& radii() const { return radii_; }
@@ -73,11 +73,11 @@ class SoftSpheres {
   void update_forces();
   double largest_force() const;
 
-  double side_;  ///< of the period; with a vessel so long that no images meet
+  double side_;  ///< of the period; with a vessel so long that no images interact
   Vessel vessel_;
-  double margin_, largest_radius_ = 1, cohesion_ = 0, reach_ = 0;
+  double skin_, largest_radius_ = 1, cohesion_ = 0, reach_ = 0;
   std::vector<double> radii_;
-  std::vector<Vec3d> x_, v_, force_, listed_;
+  std::vector<Vec3d> x_, v_, force_, x_listed_;  ///< x_listed_: positions when the lists were made
   std::vector<Pair> pairs_;
   std::vector<Touch> touches_;
   double dt_ = 0.1, mixing_ = 0.1;  ///< of FIRE

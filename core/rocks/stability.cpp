@@ -27,7 +27,7 @@ struct Lanczos {
 
   Lanczos(Eigen::Index n, int maximum) : basis(n, maximum), diagonal(maximum), beside(maximum) {}
 
-  /// Extends the basis by one vector. @return what is left of the operator's image, orthogonal to the basis
+  /// Extends the basis by one vector. @return the part of its image that is orthogonal to the basis
   template <class Operator>
   Eigen::VectorXd extend(const Operator& apply, const Eigen::VectorXd& next) {
     basis.col(size) = next;
@@ -77,8 +77,8 @@ double step_of(double a, double b) {
   return sum > 0 ? 4 / sum : std::numeric_limits<double>::infinity();
 }
 
-/// The step at which 4 - 2 dt B - dt^2 A first becomes singular. Each round finds the worst mode at the present
-/// step, then the step that this mode allows: monotone from above, and quadratic near the end.
+/// The smallest step at which 4 - 2 dt B - dt^2 A is singular. Each round finds the most unstable mode at the present
+/// step, then the step that this mode allows. Converges monotonically from above, quadratically near the end.
 double critical_step_of(const LinearRock& rock, double guess) {
   constexpr double tolerance = 1e-4, settled = 2e-5;
   constexpr int rounds = 30;

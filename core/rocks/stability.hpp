@@ -6,7 +6,7 @@
 
 namespace gyro {
 
-/// Contacts that every particle may collect in a dense bed, on top of its bonds. A Hertz contact at
+/// Contacts that every particle may have in a dense bed, in addition to its bonds. A Hertz contact at
 /// a fixed overlap/radius has a stiffness proportional to the radius, hence the units.
 struct BedContacts {
   double number = 0;                ///< contacts of a particle [-]
@@ -20,10 +20,10 @@ struct BedContacts {
 /// at rest, with all bonds intact: the smallest dt at which 4 M - 2 dt C - dt^2 K is singular. Lanczos
 /// iteration on M^-1 (dt^2 K + 2 dt C), 6 degrees of freedom a particle, to a relative 1e-4.
 ///
-/// Bed contacts are taken as isotropic, each with its other end moving in counterphase, which bounds any
-/// arrangement of them from above: diagonal 2 number (S_n + 2 S_t)/3 for translations and
+/// Bed contacts are assumed isotropic, each with its other end moving in counterphase, which is an upper bound for any
+/// arrangement of them: diagonal 2 number (S_n + 2 S_t)/3 for translations and
 /// 2 number (2/3) S_t R^2 for rotations, damping alike.
-/// @return infinity if nothing is stiff
+/// @return infinity without stiffness
 double critical_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
 
 /// The same for a single loose particle.

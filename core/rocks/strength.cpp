@@ -54,7 +54,7 @@ double normal_quantile(double p) {
   if (p > 0.5) return -normal_quantile(1 - p);
   const double x = acklam(p);
   if (!(p > 1e-300)) return x;
-  // One Halley step squares the error away: 1e-9 becomes rounding.
+  // One Halley step reduces the error from 1e-9 to rounding.
   const double miss = (normal_distribution(x) - p) * std::sqrt(2 * std::numbers::pi) * std::exp(x * x / 2);
   return x - miss / (1 + x * miss / 2);
 }
@@ -64,7 +64,8 @@ namespace {
 void check(const TruncatedNormal& s) {
   const bool finite =
       std::isfinite(s.mean) && std::isfinite(s.deviation) && std::isfinite(s.lower) && std::isfinite(s.upper);
-  if (!finite || !(s.deviation >= 0)) throw BadInput("strength scatter: deviation must be a number of at least 0");
+  if (!finite || !(s.deviation >= 0))
+    throw BadInput("strength scatter: deviation must be >= 0, and all numbers finite");
   if (!(s.lower >= 0 && s.lower <= s.mean && s.mean <= s.upper && s.lower < s.upper)) {
     throw BadInput("strength scatter: range must be [lower, upper] with 0 <= lower <= mean <= upper, lower < upper");
   }
@@ -72,7 +73,7 @@ void check(const TruncatedNormal& s) {
 
 void check(const WeibullStrength& s) {
   if (!(std::isfinite(s.mean) && s.mean > 0 && std::isfinite(s.modulus) && s.modulus > 0))
-    throw BadInput("strength scatter: mean and modulus of a Weibull distribution must be positive numbers");
+    throw BadInput("strength scatter: mean and modulus of a Weibull distribution must be finite and > 0");
 }
 
 double quantile(const TruncatedNormal& s, double p) {

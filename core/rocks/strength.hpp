@@ -16,8 +16,8 @@ struct TruncatedNormal {
 };
 
 /// What the reference paper prints (Xiong et al., Minerals 14 (2024) 774, eq. 8): strength S_c (N + 1) with N
-/// standard normal, read as drawn anew outside the range. Nearly uniform over 0.4 to 1.6, of which 45 % of all draws
-/// are.
+/// standard normal, here understood as drawn again if outside the range. Nearly uniform over 0.4 to 1.6, which
+/// holds 45 % of the draws.
 inline TruncatedNormal paper_literal(double lower, double upper) {
   return {1, 1, lower, upper};
 }
@@ -30,11 +30,11 @@ struct WeibullStrength {
 
 using StrengthScatter = std::variant<TruncatedNormal, WeibullStrength>;
 
-/// @throws BadInput unless 0 <= lower <= mean <= upper, lower < upper and deviation >= 0, all finite; mean and
-/// modulus positive
+/// @throws BadInput unless 0 <= lower <= mean <= upper, lower < upper and deviation >= 0, all finite; for a Weibull
+/// distribution unless mean and modulus are > 0
 void check_scatter(const StrengthScatter& scatter);
 
-/// The factor that the share p in (0, 1) of the scatter lies below: the inverse of the distribution
+/// The factor below which the share p in (0, 1) of the bonds lies: the inverse of the distribution
 /// function, for the truncated normal exact to about 1e-14.
 double strength_at(const StrengthScatter& scatter, double p);
 

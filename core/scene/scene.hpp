@@ -4,6 +4,7 @@
 #include "core/base/hd.hpp"
 #include "core/math/quat.hpp"
 #include "core/scene/contact_model.hpp"
+#include "core/scene/triangle_mesh.hpp"
 
 #include <optional>
 #include <string>
@@ -45,12 +46,6 @@ struct ProfileShape {
   std::vector<ProfilePoint> points;
 };
 
-/// Triangles, closed or open. Both sides can be touched.
-struct MeshShape {
-  std::vector<Vec3d> vertices;
-  std::vector<Vec3<Index>> triangles;
-};
-
 struct Fixed {};
 struct LinearMotion {
   Vec3d velocity;  ///< [m/s]
@@ -76,7 +71,7 @@ struct GyrationMotion {
 /// A rigid wall. Its shape is given in its own frame, which is the world at rest.
 struct Wall {
   std::string name;
-  std::variant<PlaneShape, ProfileShape, MeshShape> shape;
+  std::variant<PlaneShape, ProfileShape, TriangleMesh> shape;
   std::variant<Fixed, LinearMotion, RotationMotion, CircularMotion, GyrationMotion> motion;
   Index material = 0;
 };

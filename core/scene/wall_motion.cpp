@@ -122,7 +122,7 @@ double extent_of(const Wall& wall) {
   double extent2 = 0;
   if (const auto* profile = std::get_if<ProfileShape>(&wall.shape))
     for (const ProfilePoint& p : profile->points) extent2 = std::max(extent2, p.r * p.r + p.z * p.z);
-  if (const auto* mesh = std::get_if<MeshShape>(&wall.shape))
+  if (const auto* mesh = std::get_if<TriangleMesh>(&wall.shape))
     for (const Vec3d& v : mesh->vertices) extent2 = std::max(extent2, norm2(v));
   return std::sqrt(extent2);
 }

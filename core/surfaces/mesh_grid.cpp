@@ -78,7 +78,7 @@ void visit_cut(const MeshView& grid, const WallTriangle& t, const Span& span, co
 
 }  // namespace
 
-MeshGrid::MeshGrid(const MeshShape& shape) {
+MeshGrid::MeshGrid(const TriangleMesh& shape) {
   take(shape);
   drop_duplicates();
   if (triangles_.empty()) throw BadInput("the mesh has no triangle with an area; at least one is needed");
@@ -86,7 +86,7 @@ MeshGrid::MeshGrid(const MeshShape& shape) {
   fill_cells();
 }
 
-void MeshGrid::take(const MeshShape& shape) {
+void MeshGrid::take(const TriangleMesh& shape) {
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
     const Vec3d& v = shape.vertices[i];
     if (!(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)))

@@ -18,7 +18,7 @@ class MeshGrid {
  public:
   /// Drops triangles without area and repeated ones, and counts them.
   /// @throws BadInput if a vertex is not finite, an index is out of range or nothing is left
-  explicit MeshGrid(const MeshShape& shape);
+  explicit MeshGrid(const TriangleMesh& shape);
 
   MeshView view() const;
   /// Triangles that may be nearer than `reach` to a point of the body frame, ascending.
@@ -34,7 +34,7 @@ class MeshGrid {
   const std::vector<Index>& large() const { return large_; }
 
  private:
-  void take(const MeshShape& shape);
+  void take(const TriangleMesh& shape);
   void drop_duplicates();
   void choose_cells();
   void fill_cells();

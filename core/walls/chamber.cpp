@@ -19,7 +19,7 @@ double radius_at(const std::vector<LinerRow>& rows, double LinerRow::*radius, do
   return a.*radius + t * (b.*radius - a.*radius);
 }
 
-/// The centred chamber: heights where both liners are, and radial gaps.
+/// The centred chamber: its heights are those that both liners have, its gaps are radial.
 struct Chamber {
   const Liners& liners;
 
@@ -50,7 +50,7 @@ double volume_of(const Chamber& chamber) {
   return volume;
 }
 
-/// Leaning angles of both liners' pieces against each other, between rows i and i + 1.
+/// Angle between the two liners, from row i to row i + 1 [rad].
 double opening(const std::vector<LinerRow>& rows, std::size_t i) {
   const double height = rows[i + 1].z - rows[i].z;
   return std::atan2(rows[i + 1].concave_radius - rows[i].concave_radius, height) -
@@ -80,7 +80,7 @@ LinerLevel slice_at(const Liners& liners, double z, double speed, double gravity
 }
 
 LinerReport measure(const Liners& liners, double speed, double gravity) {
-  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity; both must be > 0");
+  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity above 0");
   const Chamber chamber{liners};
   LinerReport report;
   report.closed_side_setting = side_setting(liners, liners.motion.lift, true);

@@ -15,27 +15,26 @@ void require(bool good, const std::string& message) {
 }
 
 void check_rows(std::span<const LinerRow> rows) {
-  require(rows.size() >= 2, "the liner profile has " + std::to_string(rows.size()) + " rows; it needs two or more");
+  require(rows.size() >= 2, "the liner profile has " + std::to_string(rows.size()) + " rows; at least 2 are needed");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const LinerRow& row = rows[i];
     const std::string which = "row " + std::to_string(i + 1) + " of the liner profile: ";
     require(std::isfinite(row.z) && std::isfinite(row.mantle_radius) && std::isfinite(row.concave_radius),
-            which + "a number is not finite; give finite numbers");
+            which + "every number must be finite");
     require(row.mantle_radius > 0 && row.concave_radius > row.mantle_radius,
-            which + "the mantle is not inside the concave; it must be 0 < mantle radius < concave radius");
-    require(i == 0 || row.z > rows[i - 1].z, which + "z does not rise; sort the rows by rising z");
+            which + "the mantle must be inside the concave: 0 < mantle radius < concave radius");
+    require(i == 0 || row.z > rows[i - 1].z, which + "z must be larger than in the row before");
   }
   require(rows.front().z <= 0 && rows.back().z > 0,
-          "the liner profile does not contain the discharge plane; begin at z <= 0 and end at z > 0");
+          "the liner profile must contain the discharge plane: its lowest z must be <= 0 and its highest > 0");
 }
 
 void check_setting(const LinerSetting& s, double top) {
-  require(s.closed_side_setting > 0 && std::isfinite(s.closed_side_setting),
-          "closed_side_setting is not positive; it must be > 0");
-  require(s.eccentricity >= 0 && std::isfinite(s.eccentricity), "eccentricity is negative; it must be >= 0");
+  require(s.closed_side_setting > 0 && std::isfinite(s.closed_side_setting), "closed_side_setting must be > 0");
+  require(s.eccentricity >= 0 && std::isfinite(s.eccentricity), "eccentricity must be >= 0");
   require(s.pivot_height > top && std::isfinite(s.pivot_height),
-          "pivot_height is not above the liners; it must be > " + std::to_string(top) + " m");
-  require(s.collar >= 0 && std::isfinite(s.collar), "collar is negative; it must be >= 0");
+          "pivot_height must be above the liners, which end at " + std::to_string(top) + " m");
+  require(s.collar >= 0 && std::isfinite(s.collar), "collar must be >= 0");
 }
 
 ProfileShape concave_of(std::span<const LinerRow> rows, double collar) {
@@ -46,10 +45,10 @@ ProfileShape concave_of(std::span<const LinerRow> rows, double collar) {
 }
 
 /// The mantle's flank in its own frame, upwards. It begins where the lifted mantle meets the lowest
-/// level: cut off there, or prolonged in the direction of the lowest piece.
+/// level: it is cut off there, or extended along its lowest piece.
 Polyline flank(std::span<const LinerRow> rows, double lift) {
   const double begin = rows.front().z - lift;
-  std::size_t next = 1;  // first row above the begin, but the last at most
+  std::size_t next = 1;  // first row above the beginning, or the last row
   while (next + 1 < rows.size() && rows[next].z <= begin) ++next;
   const LinerRow &a = rows[next - 1], &b = rows[next];
   const double slope = (b.mantle_radius - a.mantle_radius) / (b.z - a.z);
@@ -118,10 +117,9 @@ double solve_lift(const Liners& liners) {
   for (double step = maximum / 64; step <= maximum && excess(high) > 0; step *= 2) high = step;
   const double widest = side_setting(liners, low, true);
   require(widest > std::max(side_setting(liners, high, true), 0.0),
-          "the mantle reaches the concave at any height, by its profile or by the eccentricity; use a narrower mantle "
-          "or a smaller eccentricity");
-  require(excess(low) >= 0 && excess(high) <= 0, "closed_side_setting of " + std::to_string(wanted) +
-                                                     " m cannot be reached by lifting the mantle; it must be between " +
+          "the mantle touches the concave at every height; use a narrower mantle or a smaller eccentricity");
+  require(excess(low) >= 0 && excess(high) <= 0, "lifting the mantle gives no closed_side_setting of " +
+                                                     std::to_string(wanted) + " m; it must be between " +
                                                      std::to_string(std::max(side_setting(liners, high, true), 0.0)) +
                                                      " and " + std::to_string(widest) + " m");
   while (high - low > 1e-12 * maximum) {
@@ -131,9 +129,9 @@ double solve_lift(const Liners& liners) {
   return (low + high) / 2;
 }
 
-MeshShape revolve(const ProfileShape& shape, int sectors) {
-  require(sectors >= 3, "a surface of revolution of " + std::to_string(sectors) + " sectors; it needs 3 or more");
-  MeshShape mesh;
+TriangleMesh revolve(const ProfileShape& shape, int sectors) {
+  require(sectors >= 3, "a surface of revolution needs at least 3 sectors, not " + std::to_string(sectors));
+  TriangleMesh mesh;
   std::vector<Index> ring;  // first vertex of each profile point's ring
   for (const ProfilePoint& p : shape.points) {
     ring.push_back(static_cast<Index>(mesh.vertices.size()));

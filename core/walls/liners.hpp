@@ -34,20 +34,19 @@ struct Liners {
 
 /// Builds the walls and lifts the mantle to the setting.
 /// @param rows  two or more, z ascending from 0 or below to above 0, mantle inside the concave
-/// @throws BadInput when rows or setting make no chamber, or no lift gives the setting
+/// @throws BadInput if rows and setting make no chamber, or no lift gives the setting
 Liners make_liners(std::span<const LinerRow> rows, const LinerSetting& setting);
 
-/// Distance of mantle and concave, for a lift, on one side of the plane that holds both axes, where the mantle is
-/// nearest and farthest: the shortest from any point of the concave's lowest tenth (above z = 0) to
-/// the mantle [m]. Both surfaces are of revolution, so a gyration turns this picture about z and
-/// changes nothing in it. -1 when they overlap. Open - closed is 2 e0 but for the rise of the tilted
-/// mantle's lip, e0 R / Lp (0.8 mm of 43.4 mm for a 62-75).
+/// Gap between mantle and concave for a lift, on the closed or the open side of the plane that holds both axes: the
+/// shortest distance from the concave's lowest tenth (above z = 0) to the mantle [m]; -1 if they overlap. Both surfaces
+/// are of revolution, so a gyration only rotates this section about z. Open - closed is 2 e0 minus the rise of the
+/// tilted mantle's lip, e0 R / Lp (0.8 mm of 43.4 mm for a 62-75).
 double side_setting(const Liners& liners, double lift, bool closed_side);
 
 /// Lift that gives the closed side setting, within 1e-9 m. Lifting closes the gap.
 double solve_lift(const Liners& liners);
 
-/// What one level lets through.
+/// Capacity of one level of the chamber.
 struct LinerLevel {
   double z;         ///< [m]
   double area;      ///< of the annulus, centred mantle [m2]
@@ -60,8 +59,8 @@ struct LinerReport {
   double closed_side_setting, open_side_setting;  ///< measured [m]
   double throw_at_discharge;                      ///< open - closed [m]
   double volume;                                  ///< between the liners [m3]
-  double capacity;                                ///< least of the levels [m3/s], bulk
-  double choke_height;                            ///< level of that [m]
+  double capacity;                                ///< minimum over the levels [m3/s], bulk
+  double choke_height;                            ///< level of the minimum [m]
   std::vector<double> nip_angle;                  ///< between the liners on the closed side, at each row [rad]
 };
 
@@ -72,12 +71,12 @@ struct LinerReport {
 /// @param gravity  [m/s2]
 LinerLevel slice_at(const Liners& liners, double z, double speed, double gravity);
 
-/// Measures the chamber. Capacity is the least over all levels whose slice ends inside the chamber;
-/// a slice nearer to the discharge than its drop has left.
+/// Measures the chamber. The capacity is the minimum over all levels whose slice ends inside the chamber;
+/// a slice nearer to the discharge than its drop leaves the chamber.
 LinerReport measure(const Liners& liners, double speed, double gravity);
 
 /// Triangles of a surface of revolution; the right-handed normal points to the rock. Closed when both
 /// ends lie on the axis. @throws BadInput for fewer than 3 sectors
-MeshShape revolve(const ProfileShape& shape, int sectors);
+TriangleMesh revolve(const ProfileShape& shape, int sectors);
 
 }  // namespace gyro

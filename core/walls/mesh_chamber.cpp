@@ -12,7 +12,7 @@
 namespace gyro {
 namespace {
 
-HeightRange heights_of(const MeshShape& mesh, double lift) {
+HeightRange heights_of(const TriangleMesh& mesh, double lift) {
   HeightRange range{1e300, -1e300};
   for (const Vec3d& v : mesh.vertices) range = {std::min(range.low, v.z + lift), std::max(range.high, v.z + lift)};
   return range;
@@ -22,11 +22,11 @@ HeightRange common_heights(const MeshLiners& liners) {
   const HeightRange a = heights_of(liners.concave, 0), b = heights_of(liners.mantle, liners.motion.lift);
   const HeightRange both{std::max(a.low, b.low), std::min(a.high, b.high)};
   if (!(both.low < both.high))
-    throw BadInput("mantle and concave have no height in common; place the meshes as they work");
+    throw BadInput("mantle and concave have no height in common; draw both meshes in the position in which they work");
   return both;
 }
 
-constexpr double no_nip = std::numbers::pi / 4;  // liners that open by more hold no rock
+constexpr double no_nip = std::numbers::pi / 4;  // liners that open by more do not nip rock
 
 /// The centred chamber in half-planes; gaps are radial. It ends at the lowest level above its middle where the liners
 /// begin to open by more than `no_nip`: at the mantle's head, or at an edge of the feed opening.
@@ -113,10 +113,10 @@ void set_capacity(MeshReport& report, const SectionedChamber& chamber, double sp
 }
 
 std::vector<MeshReport::NipAngle> nip_angles(const SectionedChamber& chamber) {
-  constexpr int places = 13;
+  constexpr int heights = 13;
   std::vector<MeshReport::NipAngle> angles;
-  for (int k = 0; k < places; ++k) {
-    const double z = chamber.bottom() + chamber.height() * k / (places - 1);
+  for (int k = 0; k < heights; ++k) {
+    const double z = chamber.bottom() + chamber.height() * k / (heights - 1);
     MeshReport::NipAngle nip{z, 1e300, -1e300};
     for (int a = 0; a < RadialSections::azimuths; ++a) {
       const double angle = chamber.nip_angle(a, z, 0.01 * chamber.height());
@@ -130,7 +130,7 @@ std::vector<MeshReport::NipAngle> nip_angles(const SectionedChamber& chamber) {
 }  // namespace
 
 MeshReport measure(const MeshLiners& liners, double speed, double gravity) {
-  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity; both must be > 0");
+  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity above 0");
   MeshReport report;
   report.sides = MeshGap(liners.mantle, liners.concave, liners.motion).sides(liners.motion.lift);
   report.closed_side_setting = 1e300;

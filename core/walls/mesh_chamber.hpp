@@ -9,32 +9,32 @@ namespace gyro {
 
 /// The liners of a crusher as meshes, as they are set.
 struct MeshLiners {
-  MeshShape concave, mantle;  ///< the mantle as drawn: upright, before it is lifted
-  GyrationMotion motion;      ///< with the lift that imposes the setting
+  TriangleMesh concave, mantle;  ///< the mantle as drawn: upright, before it is lifted
+  GyrationMotion motion;         ///< with the lift that imposes the setting
 };
 
 /// Geometry of a chamber between meshes, by the definitions of LinerReport without its symmetry. The mantle does not
 /// spin: its azimuths stay opposite to those of the concave as drawn.
 struct MeshReport {
-  double closed_side_setting;       ///< least of all sides [m]
-  double open_side_setting;         ///< largest of all sides [m]
+  double closed_side_setting;       ///< minimum over all sides [m]
+  double open_side_setting;         ///< maximum over all sides [m]
   double throw_at_discharge;        ///< open - closed of one side, mean of all sides [m]
   std::vector<SideOfMeshes> sides;  ///< by azimuth
-  double bottom, top;               ///< of the chamber: both liners are there and open by 45 degrees at most [m]
+  double bottom, top;               ///< of the chamber: between them are both liners, open by at most 45 degrees [m]
   double volume;                    ///< between the liners up to where they hold no rock, centred mantle [m3]
-  double capacity;                  ///< least of the levels, each summed over azimuth [m3/s], bulk
-  double choke_height;              ///< level of that [m]
+  double capacity;                  ///< minimum over the levels, each summed over azimuth [m3/s], bulk
+  double choke_height;              ///< level of the minimum [m]
   struct NipAngle {
     double z, minimum, largest;  ///< over azimuth, on the closed side [m], [rad], [rad]
   };
   std::vector<NipAngle> nip_angle;  ///< chords over a fiftieth of the chamber's height, upwards
-  double bridged;                   ///< share of the sections that met no surface; the worse liner
+  double bridged;                   ///< share of the sections that met no surface, of the worse liner [-]
 };
 
-/// Measures the chamber: settings by turning the eccentric, all else from sections by azimuth and height.
+/// Measures the chamber: the settings over a turn of the eccentric, all else from sections by azimuth and height.
 /// @param speed    of the eccentric [rad/s], > 0
 /// @param gravity  [m/s2], > 0
-/// @throws BadInput when there is no chamber between the liners
+/// @throws BadInput if there is no chamber between the liners
 MeshReport measure(const MeshLiners& liners, double speed, double gravity);
 
 }  // namespace gyro

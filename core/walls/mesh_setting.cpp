@@ -27,16 +27,16 @@ double apart(double a, double b) {
   return std::remainder(a - b, 2 * std::numbers::pi);
 }
 
-/// Points of a triangle on a raster, corners included.
-template <class Take>
-void raster(const Vec3d& a, const Vec3d& b, const Vec3d& c, double step, const Take& take) {
+/// Calls visit(point) for points of a triangle on a raster, corners included.
+template <class Visit>
+void raster(const Vec3d& a, const Vec3d& b, const Vec3d& c, double step, const Visit& visit) {
   const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
   const int cuts = std::clamp(static_cast<int>(std::ceil(longest / step)), 1, 400);
   for (int i = 0; i <= cuts; ++i)
-    for (int j = 0; i + j <= cuts; ++j) take(a + double(i) / cuts * (b - a) + double(j) / cuts * (c - a));
+    for (int j = 0; i + j <= cuts; ++j) visit(a + double(i) / cuts * (b - a) + double(j) / cuts * (c - a));
 }
 
-/// Neighbouring triangles give the points of their common edge twice, but for rounding.
+/// Neighbouring triangles give the points of their common edge twice, except for rounding.
 void drop_repeated(std::vector<Vec3d>& points) {
   std::ranges::sort(points,
                     [](const Vec3d& a, const Vec3d& b) { return std::tie(a.z, a.x, a.y) < std::tie(b.z, b.x, b.y); });
@@ -46,45 +46,46 @@ void drop_repeated(std::vector<Vec3d>& points) {
 
 }  // namespace
 
-MeshGap::MeshGap(const MeshShape& mantle, const MeshShape& concave, const GyrationMotion& motion)
+MeshGap::MeshGap(const TriangleMesh& mantle, const TriangleMesh& concave, const GyrationMotion& motion)
     : mantle_(mantle), concave_(concave), motion_(motion) {
   for (const Vec3d& v : concave.vertices) height_ = std::max(height_, v.z);
-  if (!(height_ > 0)) throw BadInput("the concave has nothing above the discharge plane z = 0; move the mesh up");
+  if (!(height_ > 0)) throw BadInput("no part of the concave is above the discharge plane z = 0; shift the mesh");
   for (int k = 0; k < strip_count; ++k) strips_.push_back({2 * std::numbers::pi * k / strip_count, {}, {}});
-  take_points(concave, 0, 0.1 * height_, &Strip::concave);
+  add_points(concave, 0, 0.1 * height_, &Strip::concave);
   double lowest = 1e300;
   for (const Vec3d& v : mantle.vertices) lowest = std::min(lowest, v.z);
-  take_points(mantle, lowest, lowest + 0.1 * height_, &Strip::mantle);
+  add_points(mantle, lowest, lowest + 0.1 * height_, &Strip::mantle);
   std::erase_if(strips_, [](const Strip& strip) { return strip.concave.empty(); });
-  if (strips_.empty()) throw BadInput("the concave is open where the setting is measured; it must be a closed ring");
+  if (strips_.empty())
+    throw BadInput("the concave is open where the setting is measured; it must be a closed ring there");
   reach_ = widest_gap() + 0.1 * height_;
 }
 
-/// No gap is larger than the distance of any point of its strip, which a gyration changes by less than twice the
-/// eccentricity at the discharge.
+/// Upper limit of all gaps: the distance of any point of a strip is one, and a gyration changes it by less than twice
+/// the eccentricity at the discharge.
 double MeshGap::widest_gap() const {
   double widest = 0;
   for (const Strip& strip : strips_) {
     const Nearest nearest = nearest_triangle(mantle_, strip.concave.front(), 0.1 * height_);
-    if (nearest.triangle == none) throw BadInput("the mantle is far from the concave; place it inside");
+    if (nearest.triangle == none) throw BadInput("the mantle is far from the concave; it must be inside");
     widest = std::max(widest, nearest.point.height + 2 * motion_.eccentricity);
   }
   return widest;
 }
 
-void MeshGap::take_points(const MeshShape& mesh, double low, double high, std::vector<Vec3d> Strip::*points) {
-  const auto take = [&](const Vec3d& p) {
+void MeshGap::add_points(const TriangleMesh& mesh, double low, double high, std::vector<Vec3d> Strip::*points) {
+  const auto add = [&](const Vec3d& p) {
     if (p.z < low || p.z > high) return;
-    const double turns = azimuth_of(p) / (2 * std::numbers::pi) * strip_count;
+    const double strips = azimuth_of(p) / (2 * std::numbers::pi) * strip_count;
     Strip& strip =
-        strips_[static_cast<std::size_t>((static_cast<int>(std::lround(turns)) + strip_count) % strip_count)];
+        strips_[static_cast<std::size_t>((static_cast<int>(std::lround(strips)) + strip_count) % strip_count)];
     if (std::abs(apart(azimuth_of(p), strip.azimuth)) <= strip_half) (strip.*points).push_back(p);
   };
   const auto at = [&](Index i) { return mesh.vertices[static_cast<std::size_t>(i)]; };
   for (const Vec3<Index>& t : mesh.triangles) {
     const Vec3d a = at(t.x), b = at(t.y), c = at(t.z);
     if (std::max({a.z, b.z, c.z}) < low || std::min({a.z, b.z, c.z}) > high) continue;
-    raster(a, b, c, spacing * height_, take);
+    raster(a, b, c, spacing * height_, add);
   }
   for (Strip& strip : strips_) drop_repeated(strip.*points);
 }
@@ -151,8 +152,8 @@ std::vector<SideOfMeshes> MeshGap::sides(double lift) const {
 }
 
 double MeshGap::solve_lift(double wanted) const {
-  // A lift by s changes no distance by more than s: steps of what is lacking jump over no narrow place, as the one
-  // where the mantle's rim passes the concave's, beyond which the gap widens again.
+  // A lift by s changes no distance by more than s. So a step as long as the missing gap cannot skip a narrow gap, such
+  // as where the mantle's rim passes the concave's, beyond which the gap widens again.
   const double maximum = height_ / 2, minimum = maximum / 256;
   double low = 0, high = 0;  // open below, closed above
   double at_low = closed(0) - wanted, at_high = at_low, narrowest = at_low;
@@ -167,13 +168,12 @@ double MeshGap::solve_lift(double wanted) const {
   }
   if (at_low + wanted <= std::max(narrowest + wanted, 0.0) && (at_low < 0 || at_high > 0))
     throw BadInput(
-        "no height of the mantle leaves a gap to the concave; use a mantle that fits inside the concave, "
-        "both in metres");
+        "the mantle touches the concave at every height; it must fit inside the concave, and both meshes must be in "
+        "metres");
   if (at_low < 0 || at_high > 0)
-    throw BadInput("closed_side_setting of " + std::to_string(wanted) +
-                   " m cannot be reached by lifting the mantle; it must be between " +
-                   std::to_string(std::max(narrowest + wanted, 0.0)) + " and " + std::to_string(at_low + wanted) +
-                   " m");
+    throw BadInput("lifting the mantle gives no closed_side_setting of " + std::to_string(wanted) +
+                   " m; it must be between " + std::to_string(std::max(narrowest + wanted, 0.0)) + " and " +
+                   std::to_string(at_low + wanted) + " m");
   while (high - low > 1e-6) {  // false position, kept away from the ends
     const double share = at_low == at_high ? 0.5 : std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
     const double middle = low + share * (high - low), value = closed(middle) - wanted;

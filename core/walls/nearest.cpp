@@ -6,10 +6,10 @@
 namespace gyro {
 
 Nearest nearest_within(const MeshGrid& mesh, const Vec3d& centre, double reach) {
-  constexpr double rounding = 1e-14;  // relative: triangles at the same distance are all looked at
+  constexpr double rounding = 1e-14;  // relative: all triangles at the same distance are compared
   Nearest best;
   double within = reach;
-  const auto look = [&](Index k) {  // in any order, some more than once
+  const auto compare = [&](Index k) {  // in any order, some more than once
     NearPoint point;
     const WallTriangle& t = mesh.triangles()[static_cast<std::size_t>(k)];
     if (near_triangle(t, centre, within, point) == Place::out_of_reach) return;
@@ -18,7 +18,7 @@ Nearest nearest_within(const MeshGrid& mesh, const Vec3d& centre, double reach) 
     best = {k, point};
     within = std::min(within, point.height * (1 + rounding));
   };
-  visit_near(mesh.view(), centre, reach, look);
+  visit_near(mesh.view(), centre, reach, compare);
   return best;
 }
 

@@ -11,10 +11,10 @@ struct Nearest {
   NearPoint point{};  ///< normal from the mesh to the point, and the distance
 };
 
-/// Looks within `reach` only: none where nothing is. Body frame.
+/// Searches within `reach` only; without a triangle there, `triangle` is none. Body frame.
 Nearest nearest_within(const MeshGrid& mesh, const Vec3d& centre, double reach);
 
-/// Looks within `reach` and, where nothing is, four times farther, up to 64 x reach. Body frame.
+/// Searches within `reach`; if no triangle is there, four times farther, up to 64 x reach. Body frame.
 Nearest nearest_triangle(const MeshGrid& mesh, const Vec3d& centre, double reach);
 
 }  // namespace gyro

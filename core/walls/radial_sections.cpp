@@ -12,12 +12,12 @@
 namespace gyro {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_surface = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-RadialSections::RadialSections(const MeshShape& mesh, double lift, const HeightRange& heights, Face face)
-    : heights_(heights), radius_(static_cast<std::size_t>(azimuths * levels), nothing) {
+RadialSections::RadialSections(const TriangleMesh& mesh, double lift, const HeightRange& heights, Face face)
+    : heights_(heights), radius_(static_cast<std::size_t>(azimuths * levels), no_surface) {
   std::vector<Vec3d> across;  // level normals of the half-planes, to the left
   for (int a = 0; a < azimuths; ++a) {
     const double angle = 2 * std::numbers::pi * a / azimuths;
@@ -40,17 +40,17 @@ RadialSections::RadialSections(const MeshShape& mesh, double lift, const HeightR
 void RadialSections::cut(const Vec3d* corner, int azimuth, const Vec3d& across, Face face) {
   Point ends[2];
   int found = 0;
-  for (int k = 0; k < 3; ++k) {  // corners on the plane count as left of it: two edges cross it, or none
+  for (int k = 0; k < 3; ++k) {  // corners on the plane count as left of it, so two edges cross it or none does
     const Vec3d &p = corner[k], &q = corner[(k + 1) % 3];
     const double dp = dot(across, p), dq = dot(across, q);
     if ((dp >= 0) == (dq >= 0)) continue;
     const Vec3d on = p + dp / (dp - dq) * (q - p);
     ends[found++] = {across.y * on.x - across.x * on.y, on.z};
   }
-  if (found == 2) take(azimuth, ends[0], ends[1], face);
+  if (found == 2) add_segment(azimuth, ends[0], ends[1], face);
 }
 
-void RadialSections::take(int azimuth, const Point& a, const Point& b, Face face) {
+void RadialSections::add_segment(int azimuth, const Point& a, const Point& b, Face face) {
   const double step = (heights_.high - heights_.low) / (levels - 1), rounding = 1e-9;
   const double bottom = std::min(a.z, b.z) - rounding, top = std::max(a.z, b.z) + rounding;
   const int first = std::max(0, static_cast<int>(std::ceil((bottom - heights_.low) / step)));
@@ -81,16 +81,16 @@ int RadialSections::bridge(int azimuth) {
   }
   if (known < 0)
     throw BadInput("a liner has no surface at azimuth " + std::to_string(360.0 * azimuth / azimuths) +
-                   " degrees; use liners all around the axis");
+                   " degrees; a liner must surround the axis");
   for (int gap = known + 1; gap < levels; ++gap, ++bridges) radius(azimuth, gap) = radius(azimuth, known);
   return bridges;
 }
 
 double RadialSections::at(int azimuth, double z) const {
-  const double place = std::clamp((z - heights_.low) / (heights_.high - heights_.low), 0.0, 1.0) * (levels - 1);
-  const int k = std::min(static_cast<int>(place), levels - 2);
+  const double position = std::clamp((z - heights_.low) / (heights_.high - heights_.low), 0.0, 1.0) * (levels - 1);
+  const int k = std::min(static_cast<int>(position), levels - 2);
   const double* row = &radius_[static_cast<std::size_t>(azimuth * levels)];
-  return std::lerp(row[k], row[k + 1], place - k);
+  return std::lerp(row[k], row[k + 1], position - k);
 }
 
 }  // namespace gyro

@@ -16,16 +16,16 @@ struct HeightRange {
 /// machine's axis. No symmetry is used: a liner may be unround or beside the axis.
 ///
 /// The number of half-planes has no divisor in common with the sectors of any usual mesh, so that they meet facets
-/// at corners, middles and in between alike. Heights between levels are straight.
+/// everywhere from corner to corner. Between levels the radius is linear.
 class RadialSections {
  public:
   enum class Face { innermost, outermost };  ///< of the surfaces that a ray meets: of a concave, of a mantle
   static constexpr int azimuths = 97, levels = 1201;
 
-  /// Levels without surface (holes, slanted edges) take the nearest radii of their half-plane, straight in between.
+  /// Levels without surface (holes, slanted edges) are interpolated between the nearest radii of their half-plane.
   /// @param lift  added to the mesh's heights [m]
-  /// @throws BadInput for a half-plane that meets no surface between the heights
-  RadialSections(const MeshShape& mesh, double lift, const HeightRange& heights, Face face);
+  /// @throws BadInput if a half-plane meets no surface between the heights
+  RadialSections(const TriangleMesh& mesh, double lift, const HeightRange& heights, Face face);
 
   double at(int azimuth, double z) const;
   double level(int k) const { return heights_.low + (heights_.high - heights_.low) * k / (levels - 1); }
@@ -37,7 +37,7 @@ class RadialSections {
   };
   double& radius(int azimuth, int level) { return radius_[static_cast<std::size_t>(azimuth * levels + level)]; }
   void cut(const Vec3d* corner, int azimuth, const Vec3d& across, Face face);
-  void take(int azimuth, const Point& a, const Point& b, Face face);
+  void add_segment(int azimuth, const Point& a, const Point& b, Face face);
   int bridge(int azimuth);
 
   HeightRange heights_;

@@ -22,8 +22,8 @@ double distance_to_line(const Polyline& points, const Polyline& line) {
   return minimum;
 }
 
-/// Twice the area of the triangle a, b, c; positive when c is on the left of a to b.
-double turn(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c) {
+/// Twice the area of the triangle a, b, c; positive if c is on the left of a to b.
+double twice_area(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c) {
   return (b.r - a.r) * (c.z - a.z) - (b.z - a.z) * (c.r - a.r);
 }
 
@@ -52,8 +52,8 @@ double distance_between(const Polyline& a, const Polyline& b) {
 bool cross_each_other(const Polyline& a, const Polyline& b) {
   for (std::size_t i = 0; i + 1 < a.size(); ++i)
     for (std::size_t k = 0; k + 1 < b.size(); ++k)
-      if (turn(a[i], a[i + 1], b[k]) * turn(a[i], a[i + 1], b[k + 1]) <= 0 &&
-          turn(b[k], b[k + 1], a[i]) * turn(b[k], b[k + 1], a[i + 1]) <= 0)
+      if (twice_area(a[i], a[i + 1], b[k]) * twice_area(a[i], a[i + 1], b[k + 1]) <= 0 &&
+          twice_area(b[k], b[k + 1], a[i]) * twice_area(b[k], b[k + 1], a[i + 1]) <= 0)
         return true;
   return false;
 }

@@ -3,9 +3,9 @@
 
 namespace gyro {
 
-/// How far a slice of rock sinks in one gyration: nipped at a height by a gap, it goes down until the open gap
-/// has become as narrow, or as far as it falls in the time that the chamber opens.
-/// @param bottom    of the chamber: nothing holds a slice that leaves it [m]
+/// How far a slice of rock sinks in one gyration [m]. It is nipped at the height z by the closed gap; while the chamber
+/// opens it falls until the open gap below is as narrow, but no farther than free fall takes it in that time.
+/// @param bottom    of the chamber: below it a slice is free [m]
 /// @param fall      g (pi/w)^2 / 2 [m]
 /// @param nipped    gap of the closed side at z [m]
 /// @param open_gap  of a height [m] -> [m]

@@ -27,13 +27,13 @@ UnrolledGrid grid_over(const std::vector<WallTriangle>& triangles, int rows, int
 }  // namespace
 
 int UnrolledGrid::cell_of(const Vec3d& point) const {
-  const double turns = std::atan2(point.y, point.x) / (2 * std::numbers::pi);
-  const int sector = static_cast<int>(std::floor((turns < 0 ? turns + 1 : turns) * sectors));
+  const double revolution = std::atan2(point.y, point.x) / (2 * std::numbers::pi);
+  const int sector = static_cast<int>(std::floor((revolution < 0 ? revolution + 1 : revolution) * sectors));
   const int row = high > low ? static_cast<int>(std::floor((point.z - low) / row_height())) : 0;
   return std::clamp(row, 0, rows - 1) * sectors + std::clamp(sector, 0, sectors - 1);
 }
 
-SurfaceMap::SurfaceMap(const MeshShape& mesh, int rows, int sectors)
+SurfaceMap::SurfaceMap(const TriangleMesh& mesh, int rows, int sectors)
     : mesh_(mesh),
       grid_(grid_over(mesh_.triangles(), rows, sectors)),
       by_triangle_(mesh_.triangles().size()),
@@ -42,7 +42,7 @@ SurfaceMap::SurfaceMap(const MeshShape& mesh, int rows, int sectors)
   measure_cells();
 }
 
-/// Cuts each triangle into small ones of equal area and gives each to the cell of its middle.
+/// Cuts each triangle into small ones of equal area and adds each to the cell of its centre.
 void SurfaceMap::measure_cells() {
   cell_area_.assign(static_cast<std::size_t>(grid_.cells()), 0.0);
   for (const WallTriangle& t : mesh_.triangles()) {

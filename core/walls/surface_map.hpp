@@ -19,7 +19,7 @@ struct UnrolledGrid {
   double row_height() const { return (high - low) / rows; }
 };
 
-/// What rock has done to the pieces of a surface.
+/// Sums of the rock's action on the pieces of a surface.
 struct SurfaceSums {
   std::vector<double> impulse;  ///< normal, into the wall [N s]
   std::vector<double> work;     ///< of sliding friction [J]
@@ -32,15 +32,15 @@ struct SurfaceSums {
 };
 
 /// Where rock presses on a liner and slides along it, per triangle and unrolled. The wall's frame is used, so that
-/// the map of a mantle turns with it. A sphere's impulse is given to the triangle nearest to its centre,
-/// with its part along the line from the nearest point to the centre.
+/// the map of a mantle rotates with it. The triangle nearest to a sphere's centre gets the sphere's impulse, of which
+/// the component along the line from the nearest point to the centre counts.
 class SurfaceMap {
  public:
   /// @param mesh  the surface; profiles are mapped on their picture
-  SurfaceMap(const MeshShape& mesh, int rows, int sectors);
+  SurfaceMap(const TriangleMesh& mesh, int rows, int sectors);
 
   void add(const WallImpulse& impulse);
-  /// What has been added since the last call, by cell.
+  /// Sums since the last call, by cell.
   SurfaceSums take_cells();
 
   const UnrolledGrid& grid() const { return grid_; }
@@ -61,8 +61,8 @@ class SurfaceMap {
   SurfaceSums by_triangle_, cells_;
 };
 
-/// Archard: wear depth = coefficient x normal force x sliding way / area = coefficient x work / (friction x area).
-/// @param coefficient  volume worn / (normal force x way) [1/Pa]
+/// Wear depth by Archard's law [m]: coefficient x normal force x sliding distance / area = coefficient x work /
+/// (friction x area). @param coefficient  volume worn / (normal force x distance) [1/Pa]
 inline double wear_depth(double coefficient, double work, double friction, double area) {
   return friction > 0 && area > 0 ? coefficient * work / (friction * area) : 0;
 }

@@ -33,9 +33,15 @@ std::vector<Material> materials_of(const Setting& section) {
   return materials;
 }
 
+/// Place of a word in a list `a|b`, which is in the order of an enum.
+int place_in(const char* words, const std::string& word) {
+  const std::vector<std::string_view> all = split(words, '|');
+  return static_cast<int>(std::find(all.begin(), all.end(), word) - all.begin());
+}
+
 ContactModel model_of(const Setting& pair) {
-  return {pair.text("normal") == "hysteretic" ? NormalModel::hysteretic : NormalModel::hertz,
-          pair.text("rolling") == "spring_dashpot" ? RollingModel::spring_dashpot : RollingModel::constant};
+  return {NormalModel{place_in(normal_model_words, pair.text("normal"))},
+          RollingModel{place_in(rolling_model_words, pair.text("rolling"))}};
 }
 
 std::vector<CaseContact> contacts_of(const Setting& section, const std::vector<Material>& materials) {

@@ -9,6 +9,7 @@
 #include "core/scene/scene.hpp"
 #include "core/walls/liners.hpp"
 #include "io/fmu/drive_fmu.hpp"
+#include "io/rocks/shape_files.hpp"
 #include "mbd/drivetrain_parameters.hpp"
 
 #include <cstdint>
@@ -63,7 +64,7 @@ struct CaseBonds {
 
 /// `rocks`: the library of meta-particles.
 struct CaseRocks {
-  std::variant<ProceduralShapes, ShapeFiles, CylinderSpecimen> shapes;  ///< paths are absolute
+  ShapeSource shapes;  ///< paths are absolute
   SizeLaw sizes;
   int samples = 24;  ///< rocks in the library
   FillRule fill;
@@ -170,7 +171,7 @@ struct CaseOutput {
   std::vector<std::uint32_t> probes = {};  ///< ids of particles that the series follows
 };
 
-/// A checked case in SI units. What the file leaves out is either a documented default or absent.
+/// A checked case in SI units. A key that the file leaves out has its documented default or is absent.
 struct Case {
   std::filesystem::path file;  ///< the case file, absolute
   CaseIdentity identity;
@@ -203,7 +204,7 @@ struct CaseProblem {
   std::string message;
 };
 
-/// What became of a case file: either a case or every problem found in it.
+/// A case, or every problem found in its file.
 struct CaseReport {
   std::optional<Case> loaded;
   std::vector<CaseProblem> problems;

@@ -16,7 +16,7 @@ std::vector<std::string_view> names_in(const Setting* section) {
   return names;
 }
 
-/// Looks a user's name up; says so when it is not there.
+/// Looks up a name that the user gave; reports a name that does not exist.
 bool expect_name(const Setting* section, const std::string& name, const std::string& what, Mark mark,
                  CaseProblems& log) {
   const std::vector<std::string_view> names = names_in(section);
@@ -47,7 +47,7 @@ void check_contacts(const Setting& root, CaseProblems& log) {
       log.add(contact.mark, "the pair " + in_quotes(contact.name) + " is given in both orders; give it once");
     given.push_back(pair);
   }
-  // A misspelt pair is probably the one that would be missed; without particles nothing can touch.
+  // A misspelt pair is probably the one that seems to be missing; without particles nothing can touch.
   if (!all_known || (root.find("feed") == nullptr && root.find("particles") == nullptr)) return;
   std::vector<std::string> partners = {"rock"};
   if (const Setting* walls = root.find("walls"))
@@ -134,7 +134,7 @@ void check_walls(const Setting& root, CaseProblems& log) {
   }
 }
 
-/// Whether the figures of a motor can be those of one motor.
+/// Checks that the values of a motor are consistent.
 void check_motor(const Setting& motor, CaseProblems& log) {
   const auto number = [&](std::string_view key) {
     const Setting* setting = motor.find(key);
@@ -148,7 +148,7 @@ void check_motor(const Setting& motor, CaseProblems& log) {
                               number("breakdown_ratio"), number("starting_ratio")};
   if (!(plate.rated_power > 0 && plate.synchronous_speed > 0 && plate.rated_slip > 0 && plate.breakdown_ratio > 0 &&
         plate.starting_ratio > 0))
-    return;  // a problem of its own
+    return;  // already reported
   try {
     solve_cages(plate);
   } catch (const BadInput& problem) {
@@ -178,7 +178,7 @@ void check_machine(const Setting& root, CaseProblems& log) {
     log.add(start->mark, "a motor of constant speed cannot start from rest; use start: running");
 }
 
-/// Which of the three forms of feed is meant, and whether another one is mixed in.
+/// Checks that the feed has exactly one of its three forms.
 void check_feed(const Setting& root, CaseProblems& log) {
   const Setting* feed = root.find("feed");
   if (feed == nullptr) return;
@@ -212,7 +212,7 @@ void check_feed(const Setting& root, CaseProblems& log) {
   }
 }
 
-/// The smaller of two sizes of a law must be the smaller one.
+/// Checks that one size of a size law is smaller than another.
 void expect_order(const Setting& root, std::string_view section, std::string_view small, std::string_view large,
                   CaseProblems& log) {
   const Setting* law = root.find(section);
@@ -222,7 +222,7 @@ void expect_order(const Setting& root, std::string_view section, std::string_vie
     log.add(a->mark, std::string(small) + " is not smaller than " + std::string(large) + "; give a smaller size");
 }
 
-/// Keys that refine one form of a section do not go with the other.
+/// Refuses keys that refine one form of a section beside another form.
 void refuse_beside(const Setting& root, const std::string& section, const std::string& form, const std::string& other,
                    std::initializer_list<const char*> keys, CaseProblems& log) {
   const Setting* said = root.find(section);
@@ -270,7 +270,7 @@ void check_rocks(const Setting& root, CaseProblems& log) {
     log.add(range->mark, "the mean of strength_scatter is not inside the range; give a range that contains it");
 }
 
-/// One bonded rock, two planes, one of which moves straight on, and a cylinder where the test needs one.
+/// One bonded rock, two planes, one of which moves along a line, and a cylinder where the test needs one.
 void check_laboratory(const Setting& root, CaseProblems& log) {
   const Setting* laboratory = root.find("laboratory");
   if (laboratory == nullptr) return;

@@ -14,7 +14,7 @@ Setting* find_child(Setting& section, std::string_view name) {
   return nullptr;
 }
 
-/// Adds a setting to a section at the place that the table gives it.
+/// Adds a setting to a section, in the order of the table.
 Setting& add_child(Setting& section, const Key& key, const std::string& name, Mark mark) {
   Setting made{.key = &key, .name = name, .mark = mark};
   auto at = section.children.end();
@@ -51,7 +51,7 @@ void resolve_paths(Setting& setting, const fs::path& folder, CaseProblems& probl
   }
 }
 
-/// The liners of a profile are walls, also where the case does not name them.
+/// The liners of a profile are walls even if the case does not name them.
 void add_liners(Setting& root, const Setting& profile) {
   Setting* walls = find_child(root, "walls");
   if (walls == nullptr) walls = &add_child(root, *find_key("walls"), "walls", profile.mark);

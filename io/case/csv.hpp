@@ -19,7 +19,7 @@ struct CsvTable {
   std::vector<std::string> header;
   std::vector<std::vector<double>> rows;
   std::vector<int> lines;            ///< line of the file that each row stands in
-  std::vector<CsvProblem> problems;  ///< at most 20; the table is to be used only without any
+  std::vector<CsvProblem> problems;  ///< at most 20; use the table only if there are none
 
   /// Column of a name; -1 if the table has none.
   int column(std::string_view name) const;

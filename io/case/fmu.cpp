@@ -2,12 +2,12 @@
 #include "core/base/errors.hpp"
 #include "io/case/parts.hpp"
 
-// `drivetrain.fmu`: what can be seen of it without running its native code.
+// Reads `drivetrain.fmu` without running its native code.
 
 namespace gyro {
 namespace {
 
-/// Does `work`; what it refuses becomes a problem at a place.
+/// Does `work`; a BadInput that it throws becomes a problem at this place.
 template <class Work>
 void at(const Mark& mark, CaseProblems& problems, Work&& work) {
   try {

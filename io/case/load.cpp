@@ -95,7 +95,7 @@ CaseReport load_case(const fs::path& file, const std::vector<std::string>& overr
   if (problems.empty()) {
     YamlDocument document = parse_yaml(text);
     for (const MarkedProblem& problem : document.problems) problems.add(problem.mark, problem.message);
-    // A document that is no map, or broke off in the middle, would only bring up seeming problems.
+    // In a document that is not a map or is incomplete, further checks would report problems that do not exist.
     const bool whole = document.root.kind == YamlNode::Kind::map;
     if (whole) apply_overrides(document.root, overrides, problems);
     std::vector<MarkedProblem> marked;

@@ -126,7 +126,7 @@ void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems
   std::vector<ReadParticle> read = rows_of(file, table, own);
   const bool numbers_good = own.empty();
   for (const CaseProblem& p : own.sorted()) problems.add_in_file(file, p.line, p.column, p.message);
-  if (!numbers_good) return;  // ids are not to be trusted
+  if (!numbers_good) return;  // the ids are not valid
 
   const auto by_id = [](const ReadParticle& a, const ReadParticle& b) { return a.particle.id < b.particle.id; };
   std::stable_sort(read.begin(), read.end(), by_id);

@@ -18,7 +18,7 @@ class TableChecker {
     for (const CsvProblem& problem : table.problems)
       problems.add_in_file(file, problem.line, problem.column, problem.message);
   }
-  /// Says what is wrong with row k unless `good`.
+  /// Reports a problem of row k unless `good`.
   void expect(bool good, std::size_t k, const std::string& message) {
     if (!good) problems_.add_in_file(file_, table_.lines.at(k), 1, message);
   }
@@ -40,7 +40,7 @@ class TableChecker {
   CaseProblems& problems_;
 };
 
-/// The file of a setting if it can be opened; that it is missing is already known otherwise.
+/// The file of a setting, if it exists; a missing file has already been reported.
 std::optional<fs::path> table_file(const Setting* setting) {
   std::error_code error;
   if (setting == nullptr || !fs::exists(setting->texts.at(0), error) || fs::is_directory(setting->texts[0], error))
@@ -126,7 +126,7 @@ VoltageInput read_voltage(const fs::path& file, CaseProblems& problems) {
   return voltage;
 }
 
-/// Without a feed every particle that will ever be is in the table.
+/// Checks the ids of probes; without a feed the table contains every particle of the run.
 void check_probes(const Setting& root, const CaseTables& tables, CaseProblems& problems) {
   const Setting* probes = root.find("output.probes");
   if (probes == nullptr || root.find("feed") != nullptr || tables.particles.empty()) return;

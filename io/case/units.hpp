@@ -49,14 +49,14 @@ std::string_view name_of(Dimension dimension);
 /// SI unit of a dimension; "1" for a plain number.
 std::string_view si_unit(Dimension dimension);
 
-/// A parsed number, or why the text is none.
+/// A parsed number, or why the text is not one.
 struct ParsedNumber {
   std::optional<double> value;  ///< in SI
   std::string problem;          ///< "problem; what to do" when there is no value
 };
 
 /// Reads `12`, `1e-3`, `120 mm`, `50 kg m2` as the given dimension. A plain number is in SI.
-/// Refused: other dimensions, unknown units, not finite values, `010`, `0x10`, anything left over.
+/// Refused: other dimensions, unknown units, values that are not finite, `010`, `0x10`, anything left over.
 ParsedNumber parse_quantity(std::string_view text, Dimension dimension);
 
 /// Reads a whole number: `24` or `1e6`; refused: `010`, `0x18`, `2.5`, units.

@@ -13,7 +13,7 @@ namespace gyro {
 /// no links, nothing twice, nothing encrypted, and no more than 1 GiB in all.
 class Archive {
  public:
-  /// @throws BadInput for what is no such archive
+  /// @throws BadInput for a file that is not such an archive
   explicit Archive(const std::filesystem::path& file);
   ~Archive();
   Archive(Archive&&) noexcept;
@@ -21,7 +21,7 @@ class Archive {
 
   const std::vector<std::string>& names() const { return names_; }  ///< of files
   bool contains(const std::string& name) const;
-  /// @throws BadInput when it is not there or damaged
+  /// @throws BadInput when it does not exist or is damaged
   std::string read(const std::string& name) const;
   /// Writes the files whose names begin with a prefix below a folder. @throws BadInput, OutputError
   void unpack(const std::string& prefix, const std::filesystem::path& folder) const;

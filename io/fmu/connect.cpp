@@ -44,7 +44,7 @@ std::string list_of(const std::vector<std::string_view>& names) {
   return text + (names.size() > maximum ? ", and " + std::to_string(names.size() - maximum) + " more" : "");
 }
 
-/// Names of variables that could stand for a name that is not there.
+/// Names of variables that could replace an unknown name.
 /// @param type  empty: any
 std::vector<std::string_view> names_of(const ModelDescription& model, std::string_view causality,
                                        std::string_view type) {
@@ -61,7 +61,7 @@ std::string hint(std::string_view wanted, const std::vector<std::string_view>& n
 
 /// Factor and offset to SI.
 void take_unit(FmuLink& link, const FmuVariable& variable, const FmuQuantityInfo& info) {
-  if (variable.unit.empty()) return;  // says nothing: SI
+  if (variable.unit.empty()) return;  // no unit declared: SI
   if (!variable.unit_known) {
     if (std::ranges::find(plain_si, variable.unit) == std::end(plain_si))
       throw BadInput("the FMU's variable \"" + variable.name + "\" has the unit \"" + variable.unit +

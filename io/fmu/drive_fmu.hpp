@@ -29,21 +29,22 @@ struct FmuQuantityInfo {
 };
 const FmuQuantityInfo& info_of(FmuQuantity quantity);
 
-/// Reads the description of an FMU and sees that its library for this platform is there.
-/// @throws BadInput for what is no FMI 2.0 co-simulation FMU for linux64
+/// Reads the description of an FMU and checks that it has a library for this platform.
+/// @throws BadInput for a file that is not an FMI 2.0 co-simulation FMU for linux64
 ModelDescription read_fmu(const std::filesystem::path& file);
 
-/// The variable of an FMU for a quantity. @param wanted  its name; with a minus in front its sign is turned
-/// @throws BadInput when it is not there (and says which are), is no Real of the right causality or has another unit
+/// The variable of an FMU for a quantity. @param wanted  its name; a leading minus reverses its sign
+/// @throws BadInput when it does not exist (the message lists those that do), has another type or causality, or another
+/// unit
 FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string wanted);
 
 /// Where an exported drivetrain remembers its events: variables events, event_time[1], event_kind[1] and so on.
 std::optional<FmuHistory> history_of(const ModelDescription& model);
 
-/// An FMU as its description tells of it; its links are still to be made. @param file  absolute
+/// An FMU as described, not yet linked. @param file  absolute
 DriveFmu unconnected(const std::filesystem::path& file, const ModelDescription& model);
 
-/// A parameter and the value that it is to have. @throws BadInput when it is not there or does not take the value
+/// A parameter and its start value. @throws BadInput when it does not exist or cannot have this value
 FmuStart start_of(const ModelDescription& model, const std::string& name, double value);
 
 /// Unpacks an FMU, loads its library, which is native code, and initialises it. @throws BadInput, OutputError

@@ -38,7 +38,7 @@ struct ModelDescription {
   const FmuVariable* find(std::string_view name) const;
 };
 
-/// Reads a modelDescription.xml. @throws BadInput for what is none of FMI 2.0 co-simulation
+/// Reads a modelDescription.xml. @throws BadInput unless it is of FMI 2.0 co-simulation
 ModelDescription read_model_description(const std::string& xml);
 
 /// What an exported FMU says of itself.

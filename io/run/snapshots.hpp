@@ -13,8 +13,8 @@ namespace gyro {
 
 /// A wall as it stands in the world at the time of a snapshot.
 struct PosedWall {
-  MeshShape mesh;  ///< world frame
-  Index wall;      ///< number in Scene::walls
+  TriangleMesh mesh;  ///< world frame
+  Index wall;         ///< number in Scene::walls
 };
 
 /// What a frame shows; an empty part writes no file and gets no index.
@@ -25,13 +25,21 @@ struct SnapshotFrame {
   std::span<const PosedWall> walls = {};
 };
 
+/// A field of the files of a frame.
+struct SnapshotField {
+  std::string kind;  ///< of file: "particles", "bonds", "walls"
+  std::string row;   ///< what it has a value for: "particle"
+  std::string name, units;
+  int width;                ///< components
+  std::string description;  ///< one line
+};
+std::vector<SnapshotField> snapshot_fields();
+
 /// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: appended, zlib, float32) and the
 /// ParaView indices {particles,bonds,walls}.pvd, replaced after each frame.
 ///
-/// particles: points with one vertex cell; id, rock, fragment (id of the fragment's first particle, so that
-/// it stays the same over frames), radius, mass, velocity, force.
-/// bonds: one line each with its own two points; cell data normal_force, stress_ratio; point data radius
-/// (the Tube filter needs it there). walls: triangles; cell data wall.
+/// particles: points with one vertex cell, all fields at the points. bonds: one line each with its own two points;
+/// radius at the points, the other fields at the lines. walls: triangles with their fields.
 /// @throws OutputError when a file cannot be written
 class SnapshotWriter {
  public:

@@ -1,52 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/run/summary.hpp"
 
+#include "io/run/progress.hpp"
 #include "io/run/replace_file.hpp"
+#include "io/run/summary_lines.hpp"
+#include "io/run/summary_table.hpp"
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace gyro {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json number(const std::optional<double>& value) {
-  return value ? number(*value) : Json(nullptr);
-}
-
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
-}
-
-Json steady_json(const std::optional<SteadyFigures>& s) {
-  if (!s) return nullptr;
-  return {{"from", number(s->from)},
-          {"crushing_power", number(s->crushing_power)},
-          {"throughput_tph", number(s->throughput_tph)},
-          {"residence_time", number(s->residence_time)}};
-}
-
-Json laboratory_json(const std::optional<LaboratoryFigures>& l) {
-  if (!l) return nullptr;
-  return {{"test", l->test},
-          {"size", number(l->size)},
-          {"broken_before", l->broken_before},
-          {"first_break_force", number(l->first_break_force)},
-          {"middle_breaks", number(l->middle_breaks)},
-          {"failure_force", number(l->failure_force)},
-          {"failure_displacement", number(l->failure_displacement)},
-          {"strength", number(l->strength)},
-          {"stiffness", number(l->stiffness)},
-          {"modulus", number(l->modulus)}};
+template <class S>
+void list_figures(const std::vector<Figure<S>>& table, const std::string& prefix, std::vector<SummaryMember>& all) {
+  for (const Figure<S>& f : table)
+    all.push_back({prefix + std::string(f.name), std::string(f.units), f.when, std::string(f.description)});
 }
 
 }  // namespace
+
+Json json_of(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json json_of(const std::optional<double>& value) {
+  return value ? json_of(*value) : Json(nullptr);
+}
+
+Json json_of(std::optional<bool> value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(bool value) {
+  return value;
+}
+
+Json json_of(std::int64_t value) {
+  return value;
+}
+
+Json json_of(const std::string& text) {
+  return text;
+}
+
+Json json_of(const std::optional<std::string>& text) {
+  return text ? Json(*text) : Json(nullptr);
+}
+
+Json json_of(const std::optional<SteadyFigures>& steady) {
+  return steady ? json_of(steady_figures(), *steady) : Json(nullptr);
+}
+
+Json json_of(const std::optional<LaboratoryFigures>& laboratory) {
+  return laboratory ? json_of(laboratory_figures(), *laboratory) : Json(nullptr);
+}
+
+Json json_of(const std::vector<DriveHappening>& events) {
+  Json all = Json::array();
+  for (const DriveHappening& event : events) all.push_back(json_of(drive_event_figures(), event));
+  return all;
+}
+
+std::vector<SummaryMember> summary_members() {
+  std::vector<SummaryMember> all;
+  list_figures(summary_figures(), "", all);
+  list_figures(steady_figures(), "steady.", all);
+  list_figures(laboratory_figures(), "laboratory.", all);
+  list_figures(drive_event_figures(), "drive_events[].", all);
+  return all;
+}
 
 std::string to_string(RunStatus status) {
   switch (status) {
@@ -62,51 +85,16 @@ std::string to_string(RunStatus status) {
   return "failed";
 }
 
-std::string to_json(const Summary& s) {
-  Json events = Json::array();
-  for (const DriveHappening& event : s.drive_events)
-    events.push_back({{"time", number(event.time)}, {"event", event.what}});
-  const Json json = {{"status", to_string(s.status)},
-                     {"reason", text_or_null(s.reason)},
-                     {"title", s.title},
-                     {"version", s.version},
-                     {"git", s.git_hash},
-                     {"device", s.device},
-                     {"threads", s.threads},
-                     {"precision", s.precision},
-                     {"simulated_seconds", number(s.simulated_seconds)},
-                     {"wall_seconds", number(s.wall_seconds)},
-                     {"particle_steps", s.particle_steps},
-                     {"bond_steps", s.bond_steps},
-                     {"time_step", number(s.time_step)},
-                     {"time_step_limit", number(s.time_step_limit)},
-                     {"particles", s.particles},
-                     {"bonds_initial", s.bonds_initial},
-                     {"bonds_broken", s.bonds_broken},
-                     {"feed_mass", number(s.feed_mass)},
-                     {"feed_waiting", number(s.feed_waiting)},
-                     {"discharged_mass", number(s.discharged_mass)},
-                     {"throughput_tph", number(s.throughput_tph)},
-                     {"specific_energy_kwh_per_t", number(s.specific_energy_kwh_per_t)},
-                     {"mean_crushing_power", number(s.mean_crushing_power)},
-                     {"p80", number(s.p80)},
-                     {"p50", number(s.p50)},
-                     {"product_below_css", number(s.product_below_css)},
-                     {"product_below_oss", number(s.product_below_oss)},
-                     {"singles_share", number(s.singles_share)},
-                     {"swell_of_crumbled", number(s.swell_of_crumbled)},
-                     {"energy_residual_fraction", number(s.energy_residual_fraction)},
-                     {"momentum_residual_fraction", number(s.momentum_residual_fraction)},
-                     {"mass_residual_fraction", number(s.mass_residual_fraction)},
-                     {"max_overlap_ratio", number(s.max_overlap_ratio)},
-                     {"stalled", s.stalled},
-                     {"choked", s.choked ? Json(*s.choked) : Json(nullptr)},
-                     {"holdup_mass", number(s.holdup_mass)},
-                     {"steady", steady_json(s.steady)},
-                     {"laboratory", laboratory_json(s.laboratory)},
-                     {"drive_events", events}};
+std::string to_json(const Summary& summary) {
   // A title may hold bytes that are no UTF-8; they must not cost the summary.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_of(summary_figures(), summary).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_text(const Summary& s, const std::filesystem::path& directory) {
+  std::string text = "\n" + (s.title.empty() ? std::string("Run") : s.title) + ": " + to_string(s.status);
+  if (!s.reason.empty()) text += " (" + s.reason + ")";
+  text += format(", %.6g s simulated in ", s.simulated_seconds) + format_duration(s.wall_seconds) + "\n";
+  return text + lines_of(summary_figures(), s) + line("output", directory.string());
 }
 
 void write_summary(const Summary& summary, const std::filesystem::path& directory) {

@@ -83,6 +83,15 @@ struct Summary {
   std::vector<DriveHappening> drive_events = {};  ///< in order; empty without a drivetrain
 };
 
+/// A member of summary.json, for the reference of outputs.
+struct SummaryMember {
+  std::string name;         ///< of a member of a member: "steady.from"
+  std::string units;        ///< "1" for a pure number, "-" for what is no number
+  std::string when;         ///< else it is null
+  std::string description;  ///< one line
+};
+std::vector<SummaryMember> summary_members();
+
 /// summary.json as text.
 std::string to_json(const Summary& summary);
 

@@ -35,7 +35,7 @@ class Reader {
  private:
   void problem(Mark mark, std::string message) { values_.problem(mark, std::move(message)); }
 
-  /// Nothing there, or an override that asks to leave the key out.
+  /// Whether a key is missing, or an override removes it.
   static bool absent(const YamlEntry* entry) {
     return entry == nullptr || (entry->value.kind == Kind::null && entry->value.mark.source > 0);
   }
@@ -91,7 +91,7 @@ class Reader {
     if (equals == std::string_view::npos) return stands_beside(key, map, path);
     const std::string_view neighbour = key.when.substr(0, equals);
     const Setting* said = section.find(neighbour);
-    if (said == nullptr) return false;  // its own problem is already known
+    if (said == nullptr) return false;  // already reported
     const std::vector<std::string_view> words = split(key.when.substr(equals + 1), '|');
     required = std::find(words.begin(), words.end(), said->texts.at(0)) != words.end();
     if (!required && !absent(entry))
@@ -100,7 +100,7 @@ class Reader {
     return required;
   }
 
-  /// Whether the neighbour that a key needs, or must not have, is there or not.
+  /// Whether a key may stand here: the neighbour that it needs is present, or the one that it excludes is absent.
   bool stands_beside(const Key& key, const YamlNode& map, const std::string& path) {
     const bool wanted = !key.when.starts_with('!');
     const std::string neighbour(key.when.substr(wanted ? 0 : 1));
@@ -126,7 +126,7 @@ class Reader {
   bool read_value(Setting& setting, const Key& key, const YamlEntry& entry, const std::string& path) {
     const YamlNode& node = entry.value;
     if (node.kind == Kind::null) {
-      problem(entry.mark, path + " is empty; " + "give " + form_of(key));
+      problem(entry.mark, path + " is empty; give " + form_of(key));
       return false;
     }
     if (key.type == KeyType::section) return read_map(setting, key, entry, path);
@@ -144,7 +144,7 @@ class Reader {
     return key.one_of.empty() || one_group(key, entry, path);
   }
 
-  /// Exactly one group of `one_of` is there, and complete.
+  /// Checks that exactly one group of `one_of` is given, with all its keys.
   bool one_group(const Key& key, const YamlEntry& entry, const std::string& path) {
     const YamlNode& map = entry.value;
     std::vector<std::string_view> begun;
@@ -204,7 +204,7 @@ class Reader {
     return true;
   }
 
-  /// Names of any letters, as a foreign program gives them.
+  /// Names are not restricted, because a foreign program defines them.
   bool read_values(Setting& setting, const Key& key, const YamlEntry& entry, const std::string& path) {
     if (entry.value.kind != Kind::map) return values_.wrong_form(key, entry.value, path);
     setting.mark = entry.mark;

@@ -101,7 +101,7 @@ struct Setting {
 
   /// The setting at a path below this one, `radius.relative`; null where there is none.
   const Setting* find(std::string_view path) const;
-  /// Whether a key of this section is neither there nor lost: nobody wrote it.
+  /// Whether the file does not mention this key of the section at all.
   bool lacks(std::string_view child) const;
   /// First number or text of the setting at a path. @throws std::logic_error where there is none
   double number(std::string_view path) const { return needed(path).numbers.at(0); }
@@ -112,7 +112,7 @@ struct Setting {
 };
 
 /// Checks a document against the table and fills in defaults. Problems are added in the order of the
-/// document; what is wrong is left out of the result.
+/// document; wrong settings are left out of the result.
 Setting read_settings(const YamlNode& root, std::vector<MarkedProblem>& problems);
 
 /// The settings as YAML: SI numbers, all defaults, in the table's order.

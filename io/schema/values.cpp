@@ -62,7 +62,7 @@ bool ValueReader::read(Setting& setting, const Key& key, const YamlNode& node, c
 bool ValueReader::read_text(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
   if (node.kind != Kind::scalar) return wrong_form(key, node, path);
   if (node.text.empty() || node.text.find('\0') != std::string::npos) {
-    problem(node.mark, path + " is empty; " + "give " + form_of(key));
+    problem(node.mark, path + " is empty; give " + form_of(key));
     return false;
   }
   setting.texts.push_back(node.text);

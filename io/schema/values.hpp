@@ -10,13 +10,13 @@ class ValueReader {
  public:
   explicit ValueReader(std::vector<MarkedProblem>& problems) : problems_(problems) {}
 
-  /// Reads a key's value into setting; false if it is not what the key accepts, which is then said.
-  /// The key is no section.
+  /// Reads a key's value into setting; reports a value that does not fit the key and returns false.
+  /// The key must not be a section.
   /// @param path  of the value in the file, for messages
   bool read(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
 
   bool read_word(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
-  /// Says that a value is a list where a map is wanted, or the like; returns false.
+  /// Reports a value of the wrong form, such as a list instead of a map; returns false.
   bool wrong_form(const Key& key, const YamlNode& node, const std::string& path);
   void problem(Mark mark, std::string message) { problems_.push_back({mark, std::move(message)}); }
 

@@ -36,16 +36,16 @@ void for_each_number(State& s, F&& f) {
   for (auto& kind : s.event_kind) f(kind);
 }
 
-/// The drivetrain as a co-simulation slave: it advances by a step under a given load. It keeps no accounts of the exchange,
-/// which are the master's. The C functions of FMI are a thin layer over this class (fmi2_functions.cpp).
+/// The drivetrain as a co-simulation slave: it advances by a step under a given load. It keeps no accounts of the
+/// exchange, which are the master's. The C functions of FMI are a thin layer over this class (fmi2_functions.cpp).
 class DriveSlave {
  public:
   explicit DriveSlave(const DrivetrainParameters& parameters);
   DriveSlave(const DriveSlave&) = delete;  // its variables refer to it
   DriveSlave& operator=(const DriveSlave&) = delete;
 
-  /// Parameters, inputs and outputs. Inputs that the parameters at construction do not use are left out: the spin's torque
-  /// without mantle inertia, the forces on the bearings without friction there.
+  /// Parameters, inputs and outputs. Inputs that the parameters at construction do not use are left out: the spin's
+  /// torque without mantle inertia, the forces on the bearings without friction there.
   const std::vector<DriveVariable>& variables() const { return variables_; }
 
   /// Applies changed parameters and sets the start state. @throws BadInput for a machine that cannot start as asked

@@ -46,7 +46,8 @@ class Lines {
 
   std::size_t count(const std::string& name) {
     const double value = number(name);
-    if (!(value >= 0 && value <= max_points)) throw BadInput("the drivetrain's parameters have too many " + name + "; a count up to 1000000 is expected");
+    if (!(value >= 0 && value <= max_points))
+      throw BadInput("the drivetrain's parameters have too many " + name + "; a count up to 1000000 is expected");
     return static_cast<std::size_t>(value);
   }
 

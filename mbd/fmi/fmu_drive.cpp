@@ -34,9 +34,10 @@ DriveKnowledge knowledge_of(const FmuLinks& links) {
   const auto linked = [&](FmuQuantity quantity) { return links[static_cast<std::size_t>(quantity)].has_value(); };
   using enum FmuQuantity;
   DriveKnowledge k;
-  k.motor_speed = linked(motor_speed) || linked(motor_angle);
+  k.motor_speed = linked(motor_speed);
   k.motor_torque = linked(motor_torque) || linked(motor_impulse);
-  k.motor_power = linked(motor_power) || linked(motor_work) || (k.motor_speed && k.motor_torque);
+  k.motor_power =
+      linked(motor_power) || linked(motor_work) || ((linked(motor_speed) || linked(motor_angle)) && k.motor_torque);
   k.accounts = linked(motor_work) && linked(loss_work) && linked(kinetic_energy);
   return k;
 }
@@ -282,8 +283,7 @@ std::vector<std::uint8_t> FmuDrive::save() const {
 void FmuDrive::restore(std::span<const std::uint8_t> bytes) {
   const auto must = [&](fmi2Status status) {
     fatal_ = fatal_ || status == fmi2Fatal;
-    if (!fine(status))
-      throw BadInput("has a state that the drivetrain FMU refuses; use the FMU that saved it");
+    if (!fine(status)) throw BadInput("has a state that the drivetrain FMU refuses; use the FMU that saved it");
   };
   if (saved_ != nullptr) must(library_.free_state(component_, &saved_));
   saved_ = nullptr;

@@ -78,11 +78,11 @@ struct FmuSetup {
 
 /// A drivetrain made by another program: an FMI 2.0 co-simulation slave.
 ///
-/// preview() takes a step and sets the slave back where the slave can save its state; otherwise it extrapolates the speed
-/// with the last acceleration. Integrals that the slave does not give are computed from speeds and torques at both ends of
-/// a window; what cannot be computed either is not known (knows()). Events are read from the slave's history, where it has
-/// one. Otherwise a change of `tripped` is a trip or a restart at the end of the step, and a halt of forward motion is a
-/// stall unless the motor's torque is known not to drive.
+/// preview() takes a step and sets the slave back where the slave can save its state; otherwise it extrapolates the
+/// speed with the last acceleration. Integrals that the slave does not give are computed from speeds and torques at
+/// both ends of a window; what cannot be computed either is not known (knows()). Events are read from the slave's
+/// history, where it has one. Otherwise a change of `tripped` is a trip or a restart at the end of the step, and a halt
+/// of forward motion is a stall unless the motor's torque is known not to drive.
 class FmuDrive : public Drive {
  public:
   /// Loads and initialises it. @throws BadInput when that fails

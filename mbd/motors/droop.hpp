@@ -27,8 +27,8 @@ struct DroopMotor {
 };
 
 /// The droop that the curves of Xiong et al. (Minerals 2024, 14, 774, Fig. 10) follow: at the eccentric through
-/// (160 rpm, 0) and (125 rpm, 21 kN m), that is 5729.6 N m s/rad (16.755 rad/s - w), 96 kN m at standstill; at the motor
-/// shaft, through the gear of 3.75: 600 rpm and 25.6 kN m.
+/// (160 rpm, 0) and (125 rpm, 21 kN m), that is 5729.6 N m s/rad (16.755 rad/s - w), 96 kN m at standstill; at the
+/// motor shaft, through the gear of 3.75: 600 rpm and 25.6 kN m.
 DroopMotor paper_droop();
 
 }  // namespace gyro

@@ -13,9 +13,9 @@ namespace gyro {
 ///
 /// so that T(sN) = TN. This form has no 0/0 at s = 0 and holds on every branch: s < 0 brakes (generator), 0 < s < 1
 /// drives, s > 1 is a shaft that turns backwards (plugging). The torque is proportional to the voltage squared.
-/// Limit: the stator's resistance is left out, so the starting torque 2 Tb / (sb + 1/sb) is lower (0.4 TN for sN 1.67 %,
-/// lambda 2.5) than that of real crusher motors (about 2 TN, NEMA C). Use a DoubleCageMotor where the start under load
-/// matters.
+/// Limit: the stator's resistance is left out, so the starting torque 2 Tb / (sb + 1/sb) is lower (0.4 TN for sN 1.67
+/// %, lambda 2.5) than that of real crusher motors (about 2 TN, NEMA C). Use a DoubleCageMotor where the start under
+/// load matters.
 struct InductionMotor {
   static constexpr const char* model = "induction";
 

@@ -163,7 +163,7 @@ TEST_CASE("Cases without a motor have no FMU") {
   const Workplace place;
   const Outcome box = place.gyrosim("export fmu '" GYRO_CASES "/box.yaml'");
   CHECK(box.code == 2);
-  CHECK_THAT(box.err, Contains("has no drivetrain; a case with"));
+  CHECK_THAT(box.err, Contains("has no drivetrain; export one"));
   write_foreign_fmu(place.path() / "foreign.fmu");
   const Outcome again = place.gyrosim("export fmu " + crush_case + with_foreign(place));
   CHECK(again.code == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/simulation/laboratory.hpp"
+#include "app/output/laboratory.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>

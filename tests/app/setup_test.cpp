@@ -30,7 +30,7 @@ Setup dropped_rock(double height) {
   recipe.bond_rule = {0.05, RelativeBondRadius{0.5}};
   recipe.bond_parameters = *scene.bonds;
   recipe.bed = bed_contacts(scene);
-  setup.library = make_library(recipe, "");
+  setup.library = make_library(recipe);
   setup.feed = FeedPlan{};
   setup.feed->fixed = {{0, {0, 0, height}}};
   set_step(setup);
@@ -124,14 +124,14 @@ TEST_CASE("A driven mantle needs no case file, and its energy account closes", "
   Scene& scene = setup.scene;
   scene.materials = {{"rock", 2600, 557e6, 0.35}};
   scene.pairs = {{0.5, 0.2, 0}};
-  // A cone below its pivot, and a sphere that lies on a floor beside it.
-  const MeshShape cone{{{0, 0, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, 0, 0}, {0, -0.1, 0}},
-                       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}};
+  // A pyramid below its pivot, and a sphere on a floor that it reaches after half a revolution.
+  const TriangleMesh cone{{{0, 0, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, 0, 0}, {0, -0.1, 0}},
+                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}};
   scene.walls = {{"mantle", cone, GyrationMotion{0.005, 1.0}, 0},
                  {"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 0}};
   NewRock sphere;
   sphere.id = none;
-  sphere.particles.push_back({0, {0.1265, 0, 0.02}, {0, 0, 0}, {0, 0, 0}, 0.02, 2600});
+  sphere.particles.push_back({0, {-0.1185, 0, 0.02}, {0, 0, 0}, {0, 0, 0}, 0.02, 2600});
   setup.start = {sphere};
   const StepChoice step = set_step(setup, {.window = 0.25e-3});
   CHECK(step.steps_per_window == setup.steps_per_window);

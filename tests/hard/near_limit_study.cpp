@@ -50,7 +50,7 @@ RockTemplate rock_template(const Scene& scene, double swelling) {
   recipe.bond_rule.radius = RelativeBondRadius{0.5};
   recipe.bond_parameters = *scene.bonds;
   recipe.bed = bed_contacts(scene);
-  RockTemplate rock = make_library(recipe, "").rocks.front();
+  RockTemplate rock = make_library(recipe).rocks.front();
   for (double& radius : rock.radii) radius *= swelling;
   rock.particle_density /= swelling * swelling * swelling;
   return rock;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases that the program must refuse before the first step, or run to the end.
-#include "core/geometry/stl_file.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 

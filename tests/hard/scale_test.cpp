@@ -167,7 +167,7 @@ TEST_CASE("H29 lists are rebuilt when spheres or walls have moved too far", "[ha
     scene.neighbour_skin = skin;
     scene.walls = {
         {"plate", PlaneShape{{0, 0, -0.3}, {0, 0, 1}}, LinearMotion{{0, 0, 20}}, 1},
-        {"paddle", MeshShape{{{0.4, -1, -1}, {0.4, 1, -1}, {0.4, 1, 1}, {0.4, -1, 1}}, {{0, 1, 2}, {0, 2, 3}}},
+        {"paddle", TriangleMesh{{{0.4, -1, -1}, {0.4, 1, -1}, {0.4, 1, 1}, {0.4, -1, 1}}, {{0, 1, 2}, {0, 2, 3}}},
          RotationMotion{{0, 0, 1}, {0, 0, 0}, 40}, 1}};
     std::vector<NewRock> spheres = cloud({{8, 8, 8}, 0.025, 0.0115, 0});
     spheres.push_back(sphere(9000, {-0.5, 0.003, 0.004}, {100, 0, 0}, 0.01, 7000));

@@ -59,10 +59,10 @@ TEST_CASE("H11 particles that touch, are bonded or lie as in a settled bed are a
 
 TEST_CASE("H34 a sphere that starts in, behind or through a wall is refused", "[hard]") {
   Scene scene = plain_scene(1e-6);
-  scene.walls = {
-      floor_plane(),
-      {"thin", MeshShape{{{0.2, -1, 0}, {0.2, 1, 0}, {0.2, 1, 2}, {0.2, -1, 2}}, {{0, 1, 2}, {0, 2, 3}}}, Fixed{}, 1},
-      {"tube", ProfileShape{{{0.5, -1}, {0.5, 2}}}, Fixed{}, 1}};
+  scene.walls = {floor_plane(),
+                 {"thin", TriangleMesh{{{0.2, -1, 0}, {0.2, 1, 0}, {0.2, 1, 2}, {0.2, -1, 2}}, {{0, 1, 2}, {0, 2, 3}}},
+                  Fixed{}, 1},
+                 {"tube", ProfileShape{{{0.5, -1}, {0.5, 2}}}, Fixed{}, 1}};
   CHECK(refusal(scene, one_at({0, 0, 0.01})).empty());
   CHECK(contains(refusal(scene, one_at({0, 0, 0.0095})), "particle 5 overlaps wall floor"));
   for (const double z : {-0.001, -0.02, -50.0}) CHECK(contains(refusal(scene, one_at({0, 0, z})), "behind wall floor"));

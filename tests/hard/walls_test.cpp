@@ -110,7 +110,7 @@ TEST_CASE("H6 a wall or liner that moves too fast for the step is stopped", "[ha
   const double speed = way * radius / scene.dt;
   Wall wall{"wall", tiled_square(0.1, 8, -0.02), LinearMotion{{0, 0, speed}}, 1};
   if (kind == 1) {  // a paddle whose outer edge is the fastest
-    wall.shape = MeshShape{{{0, 0, -1}, {0.2, 0, -1}, {0.2, 0, 1}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+    wall.shape = TriangleMesh{{{0, 0, -1}, {0.2, 0, -1}, {0.2, 0, 1}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
     wall.motion = RotationMotion{{0, 0, 1}, {0, 0, 0}, speed / std::sqrt(0.04 + 1)};  // at the farthest corner
   }
   if (kind == 2) {
@@ -149,7 +149,7 @@ TEST_CASE("H7 beds on both sides of a thin plate do not feel each other", "[hard
     Scene scene = plain_scene(2e-6);
     scene.pairs.assign(4, {0.5, 0.3, 0.01});
     scene.walls = box({0.06, 0.06, 0.2});
-    MeshShape plate = tiled_square(0.1, 11, thick / 2);
+    TriangleMesh plate = tiled_square(0.1, 11, thick / 2);
     if (thick > 0) plate = joined(plate, flipped(tiled_square(0.1, 7, -thick / 2)));
     scene.walls.push_back({"plate", plate, Fixed{}, 1});
     std::vector<NewRock> rocks;
@@ -194,7 +194,7 @@ TEST_CASE("H21 H22 a floor with bad triangles acts as a good one", "[hard]") {
     Scene scene = plain_scene(5e-6);
     scene.gravity = {0, 0, -9.81};
     scene.pairs.assign(4, {0.4, 0.5, 0.01});
-    MeshShape floor = tiled_square(1, 2);
+    TriangleMesh floor = tiled_square(1, 2);
     if (bad) {
       floor = tiled_square(1, 6);
       const auto corner = [&](double x, double y) {

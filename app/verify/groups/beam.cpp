@@ -54,7 +54,8 @@ Bent bend(const Beam& beam, Precision precision) {
   scene.materials = {elastic(1.5e12, 0.35, rock_density), rigid()};
   const double edge = length - grain / 3, top = grain / 2;
   scene.walls = {
-      {"plate", MeshShape{{{edge, -grain, top}, {length + grain, -grain, top}, {length, 2 * grain, top}}, {{0, 1, 2}}},
+      {"plate",
+       TriangleMesh{{{edge, -grain, top}, {length + grain, -grain, top}, {length, 2 * grain, top}}, {{0, 1, 2}}},
        LinearMotion{{0, 0, -1e-4 * length / time}}, 1}};
   Stage stage(scene, precision);
   NewRock free = placed(cantilever(1, beam.n), 1, 1000, {0, 1, 0});

@@ -7,7 +7,6 @@
 #include "app/verify/fixtures/stage.hpp"
 #include "app/verify/verification.hpp"
 #include "core/fragments/product.hpp"
-#include "core/fragments/sieve_size.hpp"
 #include "core/math/random.hpp"
 #include "core/state/fragment_labels.hpp"
 

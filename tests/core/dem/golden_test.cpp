@@ -104,7 +104,7 @@ Setup free_rock(Precision precision) {
   NewRock rock = turned_rock(0, {0, 0, 0});
   add_rigid_motion(rock, {1, 2, 3}, {20, -30, 10});
   for (NewParticle& p : rock.particles) p.velocity += 0.05 * random_vector(p.id, 0);
-  return {scene, {rock}, 1200};
+  return {scene, {rock}, 300};
 }
 
 /// Two rocks, one on the other, crushed between planes that close.
@@ -112,18 +112,18 @@ Setup crushed_rocks(Precision precision, int substeps) {
   Scene scene = golden_scene(precision, 2e-6);
   add_bonds(scene);
   scene.substeps = substeps;
-  scene.walls = {{"top", PlaneShape{{0, 0, 0.15}, {0, 0, -1}}, LinearMotion{{0, 0, -4}}, 1},
-                 {"bottom", PlaneShape{{0, 0, -0.15}, {0, 0, 1}}, LinearMotion{{0, 0, 4}}, 1}};
-  return {scene, {turned_rock(1, {0.005, 0, 0.07}), turned_rock(2, {-0.005, 0.003, -0.07})}, 7200};
+  scene.walls = {{"top", PlaneShape{{0, 0, 0.14}, {0, 0, -1}}, LinearMotion{{0, 0, -8}}, 1},
+                 {"bottom", PlaneShape{{0, 0, -0.14}, {0, 0, 1}}, LinearMotion{{0, 0, 8}}, 1}};
+  return {scene, {turned_rock(1, {0.005, 0, 0.07}), turned_rock(2, {-0.005, 0.003, -0.07})}, 1200};
 }
 
 /// Spheres of three sizes that fall into a tube with an open floor, onto a wedge that rises.
 Setup spheres_on_walls(Precision precision) {
-  Scene scene = golden_scene(precision, 1e-6);
+  Scene scene = golden_scene(precision, 2e-6);
   scene.walls = {{"tube", ProfileShape{{{0.03, 0}, {0.07, 0}, {0.07, 0.2}}}, Fixed{}, 1},
                  {"wedge",
-                  MeshShape{{{-0.05, -0.06, 0}, {0.05, -0.06, 0}, {0.05, 0, 0.02}, {-0.05, 0, 0.02}, {0, 0.05, 0}},
-                            {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}},
+                  TriangleMesh{{{-0.05, -0.06, 0}, {0.05, -0.06, 0}, {0.05, 0, 0.02}, {-0.05, 0, 0.02}, {0, 0.05, 0}},
+                               {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}}},
                   LinearMotion{{0, 0, 0.5}}, 1}};
   std::vector<NewRock> rocks = cloud({{5, 5, 4}, 0.02, 0.009, 1.0});
   for (std::size_t k = 0; k < rocks.size(); ++k) {
@@ -132,7 +132,7 @@ Setup spheres_on_walls(Precision precision) {
     p.velocity.z -= 3;
     if (k % 3 != 0) p.radius *= k % 3 == 1 ? 0.5 : 0.25;
   }
-  return {scene, rocks, 9000};
+  return {scene, rocks, 2400};
 }
 
 struct Golden {
@@ -142,11 +142,23 @@ struct Golden {
 };
 
 const Golden goldens[] = {
-    {"free rock", free_rock, 0, 0},
-    {"crushed rocks", [](Precision p) { return crushed_rocks(p, 1); }, 0, 0},
-    {"crushed rocks, forces held over 3 steps", [](Precision p) { return crushed_rocks(p, 3); }, 0, 0},
-    {"spheres on walls", spheres_on_walls, 0, 0},
+    {"free rock", free_rock, 0x6c3b775a1613fa32, 0x99ced7f4e6274830},
+    {"crushed rocks", [](Precision p) { return crushed_rocks(p, 1); }, 0x7c47d284a25c10bc, 0xf338cdb95b4ce6dc},
+    {"crushed rocks, held forces", [](Precision p) { return crushed_rocks(p, 3); }, 0xe61942af9e9b7363,
+     0x40244e3e6890829f},
+    {"spheres on walls", spheres_on_walls, 0x1afda1aa084a7464, 0x598508f4d06e635d},
 };
+
+/// A scene in which nothing happened would hold no law.
+void require_busy(const Dem& dem, const Scene& scene) {
+  const Counts counts = dem.counts();
+  const EnergyTerms energy = dem.energy();
+  if (scene.bonds) REQUIRE(energy.bond_damping > 0);
+  if (scene.walls.empty()) return;
+  REQUIRE(energy.friction > 0);
+  REQUIRE(energy.wall_work != 0);
+  if (scene.bonds) REQUIRE(counts.broken_tension + counts.broken_shear > 50);
+}
 
 }  // namespace
 
@@ -159,9 +171,7 @@ TEST_CASE("Fixed scenes have the bits that they have always had", "[dem][bits]")
     dem->insert(setup.rocks);
     std::int64_t step = 0;
     run(*dem, setup.scene.dt, step, setup.steps, 120);
-    const Counts counts = dem->counts();
-    if (setup.rocks.size() == 2) REQUIRE(counts.broken_tension + counts.broken_shear > 50);
-    for (const WallLoad& load : dem->wall_loads()) REQUIRE(norm(load.force) > 0);
+    require_busy(*dem, setup.scene);
     const std::uint64_t found = hash_of(*dem);
     std::ostringstream hex;
     hex << "0x" << std::hex << std::setw(16) << std::setfill('0') << found;

@@ -102,7 +102,7 @@ TEST_CASE("Rocks are drawn so that every template has its share of the mass", "[
   for (int k = 0; k < kinds; ++k) library.rocks.push_back(sphere_rock(0.025 + 0.025 * k));
   FeedPlan plan;
   plan.rate = 1e6;
-  plan.places = 1;
+  plan.positions = 1;
   plan.entry = BoxRegion{{-1, -1, 0}, {1, 1, 2}};
   plan.seed = 11;
   Feed feed(library, plan, {});
@@ -206,7 +206,7 @@ TEST_CASE("A charge lies between liner meshes as between their profiles", "[feed
       const double r = std::hypot(p.position.x, p.position.y), z = p.position.z;
       CHECK((r > radius_at(chamber_walls()[1], z) - 2e-3 && r < radius_at(chamber_walls()[0], z)));
       for (const Wall& wall : walls) {
-        const auto& mesh = std::get<MeshShape>(wall.shape);
+        const auto& mesh = std::get<TriangleMesh>(wall.shape);
         for (const auto& t : mesh.triangles) {
           const auto at = [&](Index v) { return mesh.vertices[static_cast<std::size_t>(v)]; };
           const Vec3d n = cross(at(t.y) - at(t.x), at(t.z) - at(t.x));

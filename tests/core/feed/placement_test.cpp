@@ -14,7 +14,7 @@ const Region box = BoxRegion{{-1, -1, 0}, {1, 1, 2}};
 const Quatd straight{1, 0, 0, 0};
 
 double height_of(const Bed& bed, const std::vector<Wall>& walls, double x, double y = 0) {
-  const PlaceRegion region(box, walls);
+  const FeedRegion region(box, walls);
   WallSet set(walls, R, gap);
   return Placement(region, set, bed, gap).lowest_height(sphere_rock(R), x, y, straight, never);
 }
@@ -91,8 +91,8 @@ TEST_CASE("A sphere stands on planes, in cones and in meshes of them", "[feed]")
   CHECK(height_of({}, {{"plane", plane, Fixed{}, 0}}, 0.3) == Approx(exact + 0.3 * slope).margin(gap));
 
   const double a = 3;
-  MeshShape mesh{{{-a, -a, -a * slope}, {a, -a, a * slope}, {a, a, a * slope}, {-a, a, -a * slope}},
-                 {{0, 1, 2}, {0, 2, 3}}};
+  TriangleMesh mesh{{{-a, -a, -a * slope}, {a, -a, a * slope}, {a, a, a * slope}, {-a, a, -a * slope}},
+                    {{0, 1, 2}, {0, 2, 3}}};
   CHECK(height_of({}, {{"mesh", mesh, Fixed{}, 0}}, 0.05) == Approx(exact + 0.05 * slope).margin(gap));
   CHECK(height_of({}, {{"mesh", mesh, Fixed{}, 0}}, 0.3) == R);  // a mesh has two sides: there is room below it
 }
@@ -103,7 +103,7 @@ TEST_CASE("A rock of several spheres stands on the one that hits first", "[feed]
   rod.radii = {R, R, R};
   Bed bed;
   bed.add({2.5 * R, 0, R}, R);
-  const PlaceRegion region(box, {});
+  const FeedRegion region(box, {});
   WallSet walls({}, R, gap);
   const Placement placement(region, walls, bed, gap);
   const double on_top = R + std::sqrt((2 * R + gap) * (2 * R + gap) - R * R / 4);
@@ -125,7 +125,7 @@ TEST_CASE("Turns are uniform over all rotations", "[feed]") {
   double trace = 0;
   for (std::uint64_t k = 0; k < n; ++k) {
     const auto u = [k](std::uint32_t draw) { return uniform(3, Stream::turn, k, draw); };
-    const Quatd q = uniform_turn(u(0), u(1), u(2));
+    const Quatd q = uniform_orientation(u(0), u(1), u(2));
     const Vec3d x = rotate(q, Vec3d{1, 0, 0});
     mean += x;
     square += {x.x * x.x, x.y * x.y, x.z * x.z};

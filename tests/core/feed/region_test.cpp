@@ -42,7 +42,7 @@ TEST_CASE("A mesh of a liner has the radius of its profile but for its facets", 
 }
 
 TEST_CASE("A triangle that the axis pierces leaves no radius free", "[feed]") {
-  const MeshShape floor{{{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}, {{0, 1, 2}}};
+  const TriangleMesh floor{{{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}, {{0, 1, 2}}};
   CHECK(RadiusByHeight({"floor", floor, Fixed{}, 0}, RadiusByHeight::Side::outer).at(0) == 0);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("Distances to a profile are exact and signed", "[feed]") {
 
 TEST_CASE("Distances to a mesh equal a search through all triangles", "[feed]") {
   const Wall wall{"mantle", revolve(std::get<ProfileShape>(chamber_walls()[1].shape), 24), Fixed{}, 0};
-  const auto& mesh = std::get<MeshShape>(wall.shape);
+  const auto& mesh = std::get<TriangleMesh>(wall.shape);
   const double reach = 0.1;
   const WallDistance distance(wall, reach);
   int near = 0;

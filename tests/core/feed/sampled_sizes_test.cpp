@@ -20,7 +20,7 @@ std::vector<double> fed_sizes(const RockLibrary& library, double mass) {
   FeedPlan plan;
   plan.batch = mass;
   plan.entry = BoxRegion{{-5, -5, 0}, {5, 5, 2}};
-  plan.places = 1;
+  plan.positions = 1;
   plan.seed = 11;
   Feed feed(library, plan, {});
   std::vector<double> sizes;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fragments/fragment_table.hpp"
 
-#include "core/fragments/sieve_size.hpp"
-#include "core/math/random.hpp"
-#include "snapshots.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/fragments/snapshots.hpp"
 
 #include <cmath>
 
@@ -13,20 +11,6 @@ using namespace gyro;
 namespace {
 
 const double d = 0.02, R = d / 2, density = 4000;
-
-Quatd some_orientation(std::uint64_t k) {
-  const auto u = [k](std::uint32_t draw) { return 2 * uniform(1, Stream::turn, k, draw) - 1; };
-  return normalised(Quatd{u(0), u(1), u(2), u(3)});
-}
-
-std::vector<Vec3d> rotated_all(std::vector<Vec3d> centres, const Quatd& q) {
-  for (Vec3d& c : centres) c = rotate(q, c);
-  return centres;
-}
-
-double mesh_size(const std::vector<Vec3d>& centres) {
-  return square_mesh_size(centres, std::vector<double>(centres.size(), R));
-}
 
 }  // namespace
 
@@ -65,41 +49,6 @@ TEST_CASE("Fragments whose particles are mixed in the snapshot are separated", "
   CHECK(std::vector<Index>(table.members_of(0).begin(), table.members_of(0).end()) == std::vector<Index>{0, 2, 5});
   CHECK(std::vector<Index>(table.members_of(1).begin(), table.members_of(1).end()) == std::vector<Index>{1, 3});
   CHECK(std::vector<Index>(table.members_of(2).begin(), table.members_of(2).end()) == std::vector<Index>{4});
-}
-
-TEST_CASE("A 2 x 3 x 5 block passes a square mesh of 3 in any orientation", "[fragments]") {
-  for (std::uint64_t k = 0; k < 20; ++k) {
-    CHECK(mesh_size(rotated_all(block(2, 3, 5, R), some_orientation(k))) == Approx(3 * d).epsilon(2e-3));
-  }
-}
-
-TEST_CASE("A rod passes a mesh of its thickness, a plate passes along the diagonal", "[fragments]") {
-  for (std::uint64_t k = 0; k < 20; ++k) {
-    CHECK(mesh_size(rotated_all(block(12, 1, 1, R), some_orientation(k))) == Approx(d).epsilon(2e-3));
-    // n x n x 1 spheres stood on edge: centres span (n-1) d at angle t to the mesh, so that both
-    // widths are least at 45 degrees: (n-1) d / sqrt(2) + d.
-    CHECK(mesh_size(rotated_all(block(8, 8, 1, R), some_orientation(k))) ==
-          Approx((7 / std::sqrt(2.0) + 1) * d).epsilon(2e-3));
-  }
-}
-
-TEST_CASE("A cube has no principal axes and still passes a mesh of its edge", "[fragments]") {
-  for (std::uint64_t k = 0; k < 20; ++k) {
-    CHECK(mesh_size(rotated_all(block(4, 4, 4, R), some_orientation(k))) == Approx(4 * d).epsilon(2e-3));
-  }
-}
-
-TEST_CASE("An ellipsoid of many small spheres passes sqrt((b^2 + c^2)/2)", "[fragments]") {
-  const double a = 0.5, b = 0.3, c = 0.2;  // semi-axes; surface points on a Fibonacci sphere
-  std::vector<Vec3d> centres;
-  const int n = 4000;
-  for (int k = 0; k < n; ++k) {
-    const double z = 1 - (2 * k + 1.0) / n, t = 2.399963229728653 * k, s = std::sqrt(1 - z * z);
-    centres.push_back({a * s * std::cos(t), b * s * std::sin(t), c * z});
-  }
-  const std::vector<double> radii(centres.size(), 1e-9);
-  const double exact = 2 * std::sqrt((b * b + c * c) / 2);
-  CHECK(square_mesh_size(rotated_all(centres, some_orientation(7)), radii) == Approx(exact).epsilon(3e-3));
 }
 
 TEST_CASE("A single particle sieves as the rock of its mass", "[fragments]") {

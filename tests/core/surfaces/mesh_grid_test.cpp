@@ -14,7 +14,7 @@ using namespace gyro::fixtures;
 
 namespace {
 
-MeshShape moved(MeshShape mesh, const Quatd& q, const Vec3d& shift) {
+TriangleMesh moved(TriangleMesh mesh, const Quatd& q, const Vec3d& shift) {
   for (Vec3d& v : mesh.vertices) v = shift + rotate(q, v);
   return mesh;
 }
@@ -30,7 +30,7 @@ void check_plane(const MeshGrid& mesh, const Vec3d& centre, double radius, const
 }  // namespace
 
 TEST_CASE("M1: a flat mesh gives the same contact on vertices and edges, in any orientation") {
-  const MeshShape flat = split_square(1, 200);
+  const TriangleMesh flat = split_square(1, 200);
   // Rounding of the rotated corners tilts a triangle by about 2^-52 / height.
   double height = 1;
   for (const Vec3<Index>& t : flat.triangles) {
@@ -66,14 +66,14 @@ TEST_CASE("M1: a flat mesh gives the same contact on vertices and edges, in any 
 
 TEST_CASE("H7: each side of a plate of two faces touches its own face only") {
   const double thick = 0.004;
-  const MeshShape below = moved(split_square(1, 30), {1, 0, 0, 0}, {0, 0, -thick});
+  const TriangleMesh below = moved(split_square(1, 30), {1, 0, 0, 0}, {0, 0, -thick});
   const MeshGrid mesh(joined(split_square(1, 50), below));
   check_plane(mesh, {0.1, 0.2, 0.009}, 0.01, {0, 0, 1}, -0.001);
   check_plane(mesh, {0.1, 0.2, -thick - 0.009}, 0.01, {0, 0, -1}, -0.001);
 }
 
 TEST_CASE("H21: degenerate and repeated triangles are dropped, NaN is refused") {
-  MeshShape mesh = split_square(1, 40);
+  TriangleMesh mesh = split_square(1, 40);
   mesh.triangles.push_back({0, 0, 1});
   mesh.triangles.push_back({mesh.triangles[3].y, mesh.triangles[3].x, mesh.triangles[3].z});
   mesh.vertices.push_back({0, -1, 0});  // on the edge from vertex 0 to 1
@@ -90,7 +90,7 @@ TEST_CASE("H21: degenerate and repeated triangles are dropped, NaN is refused") 
 }
 
 TEST_CASE("H22: with needles, huge triangles and outliers the lists stay short and contacts right") {
-  MeshShape mesh = split_square(1, 2000);
+  TriangleMesh mesh = split_square(1, 2000);
   const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const auto n = static_cast<Index>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
@@ -109,7 +109,7 @@ TEST_CASE("H22: with needles, huge triangles and outliers the lists stay short a
 }
 
 TEST_CASE("Grid, list and all triangles give the same bits, in any order") {
-  MeshShape mesh = split_square(1, 300);
+  TriangleMesh mesh = split_square(1, 300);
   for (Vec3d& v : mesh.vertices) v.z = 0.2 * v.x * v.x - 0.3 * v.y * v.y + 0.05 * std::sin(20 * v.x);
   const MeshGrid grid(mesh);
   std::vector<Index> all(grid.triangles().size());

@@ -145,7 +145,7 @@ TEST_CASE("liners: rock is on the proper side and cannot slip behind") {
 
 TEST_CASE("liners: the mesh of the mantle is closed, outward, and has its volume") {
   const Liners liners = make_liners(table, setting);
-  const MeshShape mesh = revolve(liners.mantle, 240);
+  const TriangleMesh mesh = revolve(liners.mantle, 240);
   double volume = 0;
   for (const Vec3<Index>& t : mesh.triangles) {
     const auto at = [&](Index i) { return mesh.vertices[static_cast<std::size_t>(i)]; };

@@ -121,7 +121,7 @@ TEST_CASE("Holes in a liner are bridged and told", "[walls][chamber]") {
 
 TEST_CASE("A radial section takes the side that faces the rock", "[walls][chamber]") {
   const Liners liners = profile();
-  MeshShape thick = revolve(liners.concave, 240);
+  TriangleMesh thick = revolve(liners.concave, 240);
   const std::size_t inner = thick.vertices.size();
   const auto count = static_cast<Index>(inner);
   for (std::size_t k = 0; k < inner; ++k) {

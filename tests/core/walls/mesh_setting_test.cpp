@@ -27,7 +27,7 @@ TEST_CASE("Setting measured on meshes by turning the eccentric is the asked one"
 TEST_CASE("A mesh mantle is lifted to the asked setting, wherever it was drawn", "[walls][setting]") {
   const Liners liners = make_liners(rows, {0.120, 0.0217, 4.2});
   const double drawn_at = GENERATE(-0.05, 0.03);
-  MeshShape mantle = revolve(liners.mantle, 240);
+  TriangleMesh mantle = revolve(liners.mantle, 240);
   for (Vec3d& v : mantle.vertices) v.z += drawn_at;
   const MeshGap gap(mantle, revolve(liners.concave, 240), liners.motion);
   const double lift = gap.solve_lift(0.120);
@@ -40,7 +40,7 @@ TEST_CASE("The search for a lift does not jump over a narrow place", "[walls][se
   std::vector<LinerRow> flaring;
   for (double z = 0; z < 1.51; z += 0.0375) flaring.push_back({z, 0.62 - 0.30 * z + 0.03 * z * z, 0.70 + 0.18 * z});
   const Liners liners = make_liners(flaring, {0.068, 0.013, 2.2});
-  MeshShape mantle = revolve(liners.mantle, 120);
+  TriangleMesh mantle = revolve(liners.mantle, 120);
   for (Vec3d& v : mantle.vertices) v.z -= 0.07;
   const MeshGap gap(mantle, revolve(liners.concave, 120), liners.motion);
   CHECK(gap.closed(gap.solve_lift(0.068)) == Approx(0.068).margin(2e-6));
@@ -50,7 +50,7 @@ TEST_CASE("Settings that no lift gives are refused", "[walls][setting]") {
   const Liners liners = make_liners(rows, {0.120, 0.0217, 4.2});
   const MeshGap gap(revolve(liners.mantle, 48), revolve(liners.concave, 48), liners.motion);
   CHECK_THROWS_AS(gap.solve_lift(5), BadInput);
-  MeshShape below = revolve(liners.concave, 48);
+  TriangleMesh below = revolve(liners.concave, 48);
   for (Vec3d& v : below.vertices) v.z -= 10;
   CHECK_THROWS_AS(MeshGap(revolve(liners.mantle, 48), below, liners.motion), BadInput);
 }

@@ -10,7 +10,7 @@ namespace gyro {
 namespace {
 
 /// A cylinder of radius 1 m and height 2 m, open, with rock inside.
-MeshShape cylinder(int sectors) {
+TriangleMesh cylinder(int sectors) {
   return revolve(ProfileShape{{{1, 0}, {1, 1}, {1, 2}}}, sectors);
 }
 

@@ -42,7 +42,7 @@ TEST_CASE("What is no FMI 2.0 co-simulation for this platform is refused with th
       {"modelIdentifier=\"flywheel\"", "modelIdentifier=\"../flywheel\"", "with a slash"},
       {"valueReference=\"1\"", "", "without valueReference"},
       {"</ModelVariables>", "", "is not XML"},
-      {"fmiModelDescription", "somethingElse", "no XML"},
+      {"fmiModelDescription", "somethingElse", "not XML"},
   }));
   const ScratchDirectory place;
   const auto file = place.path() / "foreign.fmu";
@@ -72,8 +72,8 @@ TEST_CASE("Variables that are not there, of another kind or in another unit are 
   CHECK_THAT(problem(mantle_torque, "T_laod"),
              Contains("did you mean \"T_load\"?") && Contains("inputs of the FMU are T_load"));
   CHECK_THAT(problem(eccentric_speed, "w"), Contains("outputs of the FMU are shaft.w, tau, weight, odd"));
-  CHECK_THAT(problem(mantle_torque, "tau"), Contains("no real input (Real, output)"));
-  CHECK_THAT(problem(motor_torque, "T_load"), Contains("no real output"));
+  CHECK_THAT(problem(mantle_torque, "tau"), Contains("is not a real input (Real, output)"));
+  CHECK_THAT(problem(motor_torque, "T_load"), Contains("is not a real output"));
   CHECK_THAT(problem(motor_torque, "weight"), Contains("is in \"kg\", which is not a unit of motor_torque"));
   CHECK_THAT(problem(motor_torque, "odd"), Contains("\"furlong\", which its description does not define"));
   CHECK_THROWS_WITH(start_of(model, "j", 1), Contains("parameters of the FMU are J, fail_at, blind_at, sacks"));

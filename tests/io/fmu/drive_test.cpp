@@ -83,7 +83,7 @@ void check_equal(const Drivetrain& a, const Drivetrain& b) {
   REQUIRE(t.wall_angle == Approx(s.wall_angle).epsilon(close).margin(close));
   REQUIRE(t.spin == Approx(s.spin).epsilon(close).margin(close));
   REQUIRE(t.spin_angle == Approx(s.spin_angle).epsilon(close).margin(close));
-  REQUIRE(b.means().motor_speed == Approx(a.means().motor_speed).epsilon(1e-9).margin(1e-9));
+  REQUIRE(b.motor_speed() == Approx(a.motor_speed()).epsilon(1e-9).margin(1e-9));
   REQUIRE(b.means().motor_torque == Approx(a.means().motor_torque).epsilon(1e-9).margin(1e-6));
   REQUIRE(b.means().motor_power == Approx(a.means().motor_power).epsilon(1e-9).margin(1e-4));
   REQUIRE(b.means().loss_power == Approx(a.means().loss_power).epsilon(1e-9).margin(1e-4));
@@ -111,7 +111,7 @@ TEST_CASE("The exported FMU in the loop is the built-in drivetrain over a second
   for (const DrivetrainParameters& machine : machines()) {
     INFO("machine " << number++);
     const DriveFmu fmu = exported(machine, place.path() / "drive.fmu");
-    Drivetrain built_in(machine), foreign(open_drive(fmu), 0);
+    Drivetrain built_in(machine), foreign(open_drive(fmu), {});
     if (machine.start == DrivetrainStart::running) CHECK(foreign.idle_speed() == Approx(built_in.idle_speed()));
     check_equal(built_in, foreign);
     run_both(built_in, foreign, 0, 2000, check_equal);
@@ -123,7 +123,7 @@ TEST_CASE("The exported FMU in the loop is the built-in drivetrain over a second
 
 TEST_CASE("Relays of an exported machine act and are told of") {
   const ScratchDirectory place;
-  Drivetrain built_in(full_machine()), foreign(open_drive(exported(full_machine(), place.path() / "drive.fmu")), 0);
+  Drivetrain built_in(full_machine()), foreign(open_drive(exported(full_machine(), place.path() / "drive.fmu")), {});
   run_both(built_in, foreign, 0, 2000, [](const Drivetrain&, const Drivetrain&) {});
   REQUIRE(!built_in.events().empty());
   const std::vector<std::string> notes = foreign.take_notes();
@@ -161,7 +161,7 @@ TEST_CASE("More events in one step than an exported machine remembers are counte
 TEST_CASE("An FMU goes on from its saved state in a new instance with the same bits") {
   const ScratchDirectory place;
   const DriveFmu fmu = exported(full_machine(), place.path() / "drive.fmu");
-  Drivetrain whole(open_drive(fmu), 0), first(open_drive(fmu), 0), second(open_drive(fmu), 0);
+  Drivetrain whole(open_drive(fmu), {}), first(open_drive(fmu), {}), second(open_drive(fmu), {});
   run_both(whole, first, 0, 700, [](const Drivetrain&, const Drivetrain&) {});
   second.restore(first.state(), first.drive_state());
   run_both(whole, second, 700, 1500, [](const Drivetrain& a, const Drivetrain& b) {
@@ -184,7 +184,7 @@ TEST_CASE("A foreign master changes a parameter of an exported machine, and nons
   std::get<DoubleCageMotor>(heavier.motor).rated_power = 400e3;
   complete_motor(heavier.motor);
   fmu.starts = {start_of(model, "inertia.eccentric", 9000), start_of(model, "motor.rated_power", 400e3)};
-  Drivetrain built_in(heavier), foreign(open_drive(fmu), 0);
+  Drivetrain built_in(heavier), foreign(open_drive(fmu), {});
   run_both(built_in, foreign, 0, 300, check_equal);
   fmu.starts = {start_of(model, "gear_ratio", -1)};
   CHECK_THROWS_WITH(open_drive(fmu), Contains("gear_ratio is not > 0") && Contains("drive.fmu"));

@@ -42,7 +42,8 @@ double rock(double, double angle) {
 
 TEST_CASE("A foreign drivetrain without saved state follows the built-in one with the same equation") {
   const ScratchDirectory place;
-  Drivetrain built_in(same_machine()), other(open_drive(foreign(place.path() / "foreign.fmu")), 0.02);
+  Drivetrain built_in(same_machine()),
+      other(open_drive(foreign(place.path() / "foreign.fmu")), {.residual_limit = 0.02});
   CHECK(other.state().speed == Approx(452.5 * rpm).epsilon(1e-14));
   double slowest = 1e9;
   for (int k = 0; k < 2000; ++k) {
@@ -63,9 +64,19 @@ TEST_CASE("A foreign drivetrain without saved state follows the built-in one wit
   CHECK_THAT(other.unsaveable(), Contains("cannot save its state") && Contains("canGetAndSetFMUstate is false"));
 }
 
+TEST_CASE("A foreign drivetrain that gives the motor's angle but not its speed has no speed at a moment") {
+  FmuLinks links{};
+  links[static_cast<std::size_t>(FmuQuantity::motor_angle)] = FmuLink{};
+  links[static_cast<std::size_t>(FmuQuantity::motor_torque)] = FmuLink{};
+  CHECK(!knowledge_of(links).motor_speed);
+  CHECK(knowledge_of(links).motor_power);  // torque x gain of angle
+  links[static_cast<std::size_t>(FmuQuantity::motor_speed)] = FmuLink{};
+  CHECK(knowledge_of(links).motor_speed);
+}
+
 TEST_CASE("A foreign drivetrain that is stopped by the rock has stalled") {
   const ScratchDirectory place;
-  Drivetrain drive(open_drive(foreign(place.path() / "foreign.fmu")), 0);
+  Drivetrain drive(open_drive(foreign(place.path() / "foreign.fmu")), {});
   for (int k = 0; k < 4000 && !drive.stalled(); ++k)
     exchange(drive, window_number(k, 0.5e-3), [](double, double) { return 60.0; });
   REQUIRE(drive.stalled());
@@ -79,7 +90,7 @@ TEST_CASE("What goes wrong in a foreign drivetrain stops the run with its own wo
   DriveFmu fmu = foreign(place.path() / "foreign.fmu");
   const ModelDescription model = read_fmu(fmu.file);
   const auto run = [&] {
-    Drivetrain drive(open_drive(fmu), 0);
+    Drivetrain drive(open_drive(fmu), {});
     for (int k = 0; k < 100; ++k) exchange(drive, window_number(k, 0.5e-3), rock);
   };
   CHECK_NOTHROW(run());
@@ -101,14 +112,15 @@ TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
   const ModelDescription model = read_fmu(fmu.file);
   CHECK(!history_of(model));
   CHECK_THROWS_WITH(link_to(model, FmuQuantity::tripped, "tau"),
-                    Contains("\"tau\" is no boolean output (Real, output); boolean outputs of the FMU are off"));
+                    Contains("\"tau\" is not a boolean output (Real, output); boolean outputs of the FMU are off"));
   fmu.links[static_cast<std::size_t>(FmuQuantity::tripped)] = link_to(model, FmuQuantity::tripped, "off");
   fmu.starts = {start_of(model, "trip_at", 0.0101)};
   const auto drive = open_drive(fmu);
   ShaftMotion motion = drive->start();
   std::vector<DriveEvent> events;
   const auto go_on = [&](double torque) {
-    for (const DriveEvent& event : drive->advance(1e-3, {.rock_torque = torque}, motion).events) events.push_back(event);
+    for (const DriveEvent& event : drive->advance(1e-3, {.rock_torque = torque}, motion).events)
+      events.push_back(event);
   };
   for (int k = 0; k < 20; ++k) go_on(1);
   REQUIRE(events.size() == 1);

@@ -52,9 +52,10 @@ std::string message_with_limit(rlim_t bytes, const std::function<void()>& write)
 
 void write_results(const std::filesystem::path& path) {
   ResultsContent content;
-  for (int c = 0; c < 24; ++c) content.series.push_back({"channel_" + std::to_string(c), "1"});
+  content.groups = {{"/series", {}}};
+  for (int c = 0; c < 24; ++c) content.groups[0].channels.push_back({"channel_" + std::to_string(c), "1"});
   ResultsFile results(path, content);
-  for (int row = 0; row < 10000; ++row) results.append_series(std::vector<double>(24, row));
+  for (int row = 0; row < 10000; ++row) results.append("/series", std::vector<double>(24, row));
   results.close();
 }
 

@@ -17,8 +17,8 @@ constexpr int channels = 24;
 
 ResultsContent content_of_writer() {
   ResultsContent content;
-  for (int c = 0; c < channels; ++c) content.series.push_back({"channel_" + std::to_string(c), "1"});
-  content.breakage = true;
+  content.groups = {{"/series", {}}, {"/breakage", {{"position", "m", 3}, {"energy", "J"}}}};
+  for (int c = 0; c < channels; ++c) content.groups[0].channels.push_back({"channel_" + std::to_string(c), "1"});
   return content;
 }
 
@@ -26,9 +26,8 @@ ResultsContent content_of_writer() {
 [[noreturn]] void write_forever(const std::filesystem::path& path, int pipe_end) {
   ResultsFile results(path, content_of_writer());
   for (int row = 0;; ++row) {
-    results.append_series(std::vector<double>(channels, row));
-    const double t = row;
-    results.append_breakages(std::vector<Breakage>{{t, BreakMode::shear, {t, t, t}, 1, 2, 3, t}});
+    results.append("/series", std::vector<double>(channels, row));
+    results.append("/breakage", std::vector<double>(4, row));
     if (row % 7 == 0) results.flush();
     if (row == 70 && ::write(pipe_end, "b", 1) != 1) ::_exit(1);
   }

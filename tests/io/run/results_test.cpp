@@ -21,21 +21,23 @@ ResultsContent full_content() {
                     "cpu",
                     "mixed",
                     (std::uint64_t{1} << 63) + 5};
-  content.series = {{"time", "s"}, {"mantle_force", "N", 3}, {"particles", "1", 1, hdf5::Number::int64}};
-  content.ledger = {{"time", "s"}, {"kinetic", "J"}};
-  content.performance = {{"wall_seconds", "s"}};
-  content.breakage = true;
-  content.product_sizes = {0.01, 0.02, 0.04};
-  content.curve_figures = {{"mass", "kg"}, {"p80", "m"}};
-  content.liners = {{"mantle", 5000}};
+  const Channel time{"time", "s"};
+  content.groups = {
+      {"/series", {time, {"mantle_force", "N", 3}, {"particles", "1", 1, hdf5::Number::int64}}},
+      {"/ledger", {time, {"kinetic", "J"}}},
+      {"/breakage", {time, {"mode", "1", 1, hdf5::Number::uint8}, {"i", "1", 1, hdf5::Number::uint32}}},
+      {"/product", {time, {"passing", "1", 3}}},
+      {"/liners/mantle", {time, {"pressure", "Pa", 5000, hdf5::Number::float32, Sampling::mean, "mean pressure"}}},
+      {"/liners/mantle/triangles", {time}}};
+  content.fixed = {{"/product/sizes", {"sizes", "m", 1, hdf5::Number::float64, {}, "of sieves"}, {0.01, 0.02, 0.04}}};
   return content;
 }
 
 void append_rows(ResultsFile& results, int from, int to) {
   for (int row = from; row < to; ++row) {
     const double t = 0.001 * row;
-    results.append_series(std::vector{t, 0.1 + row, 0.2 + row, 0.3 + row, 1e9 + row});
-    results.append_ledger(std::vector{t, 2 * t});
+    results.append("/series", std::vector{t, 0.1 + row, 0.2 + row, 0.3 + row, 1e9 + row});
+    results.append("/ledger", std::vector{t, 2 * t});
   }
 }
 
@@ -84,51 +86,56 @@ TEST_CASE("Results read back as they were written") {
   CHECK(file.dataset("/ledger/kinetic").rows() == rows);
 }
 
-TEST_CASE("Breakages, product and liner maps read back as they were written") {
+TEST_CASE("Numbers of all kinds and wide rows read back as they were written") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
-  const std::vector<Breakage> breakages{{0.5, BreakMode::tension, {1, 2, 3}, 7, 4000000000u, 9, 0.25},
-                                        {0.6, BreakMode::shear, {4, 5, 6}, 8, 11, 12, 0.75}};
-  const std::vector<double> pressure(5000, 1.5e6), work(5000, 0.5);
+  std::vector<double> map(5001, 1.5e6);
+  map[0] = 1;
   {
     ResultsFile results(path, full_content());
-    results.append_breakages(breakages);
-    results.append_product(1.0, std::vector{0.1, 0.4, 1.0}, std::vector{7.0, 0.03});
-    results.append_product(2.0, std::vector{0.2, 0.5, 1.0}, std::vector{8.0, 0.02});
-    results.append_holdup(2.0, std::vector{0.0, 0.1, 1.0}, std::vector{9.0, 0.05});
-    results.append_liner("mantle", 1.0, pressure, work);
+    results.append("/breakage", std::vector{0.5, 1.0, 4e9});
+    results.append("/breakage", std::vector{0.6, 2.0, 11.0});
+    results.append("/product", std::vector{1.0, 0.1, 0.4, 1.0});
+    results.append("/product", std::vector{2.0, 0.2, 0.5, 1.0});
+    results.append("/liners/mantle", map);
     results.close();
   }
   const hdf5::File file = hdf5::File::open(path);
   CHECK(file.dataset("/breakage/time").read() == std::vector{0.5, 0.6});
   CHECK(file.dataset("/breakage/mode").read() == std::vector{1.0, 2.0});
-  CHECK(file.dataset("/breakage/position").read() == std::vector<double>{1, 2, 3, 4, 5, 6});
-  CHECK(file.dataset("/breakage/rock").read() == std::vector{7.0, 8.0});
+  CHECK(file.dataset("/breakage/mode").number() == hdf5::Number::uint8);
   CHECK(file.dataset("/breakage/i").read() == std::vector{4e9, 11.0});
-  CHECK(file.dataset("/breakage/j").read() == std::vector{9.0, 12.0});
-  CHECK(file.dataset("/breakage/energy").read() == std::vector{0.25, 0.75});
   CHECK(file.dataset("/product/sizes").read() == std::vector{0.01, 0.02, 0.04});
-  CHECK(file.dataset("/product/time").read() == std::vector{1.0, 2.0});
   CHECK(file.dataset("/product/passing").columns() == 3);
   CHECK(file.dataset("/product/passing").read() == std::vector{0.1, 0.4, 1.0, 0.2, 0.5, 1.0});
-  CHECK(file.dataset("/product/p80").read() == std::vector{0.03, 0.02});
-  CHECK(file.dataset("/holdup/mass").read() == std::vector{9.0});
-  CHECK(file.dataset("/holdup/passing").read() == std::vector{0.0, 0.1, 1.0});
-  CHECK(file.dataset("/liners/mantle/pressure").read() == pressure);
-  CHECK(file.dataset("/liners/mantle/work").read() == work);
+  CHECK(file.dataset("/liners/mantle/pressure").read() == std::vector<double>(5000, 1.5e6));
+}
+
+TEST_CASE("Every dataset says its units, its sampling and what it is") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  write_run(path, 1);
+  const hdf5::File file = hdf5::File::open(path);
+  const hdf5::Dataset pressure = file.dataset("/liners/mantle/pressure"), sizes = file.dataset("/product/sizes");
+  CHECK(pressure.string_attribute("units") == "Pa");
+  CHECK(pressure.string_attribute("sampling") == "mean");
+  CHECK(pressure.string_attribute("description") == "mean pressure");
+  CHECK(sizes.string_attribute("units") == "m");
+  CHECK(sizes.string_attribute("sampling") == "instant");
+  CHECK(sizes.string_attribute("description") == "of sieves");
 }
 
 TEST_CASE("What a case does not have is not in its results") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   ResultsContent content;
-  content.series = {{"time", "s"}};
+  content.groups = {{"/series", {{"time", "s"}}}};
   ResultsFile results(path, content);
-  CHECK_THROWS_AS(results.append_product(0, std::vector{1.0}), std::logic_error);
-  CHECK_THROWS_AS(results.append_series(std::vector{1.0, 2.0}), std::logic_error);
+  CHECK_THROWS_AS(results.append("/product", std::vector{1.0}), std::logic_error);
+  CHECK_THROWS_AS(results.append("/series", std::vector{1.0, 2.0}), std::logic_error);
   results.close();
   const hdf5::File file = hdf5::File::open(path);
-  CHECK(file.children("/") == std::vector<std::string>{"case", "ledger", "performance", "series"});
+  CHECK(file.children("/") == std::vector<std::string>{"case", "series"});
   CHECK_FALSE(file.contains("/breakage/time"));
   CHECK(file.contains("/series/time"));
   CHECK(file.dataset("/series/time").read().empty());
@@ -145,7 +152,7 @@ TEST_CASE("A growing file can be read") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   ResultsFile results(path, full_content());
-  results.append_ledger(std::vector{1.0, 2.0});
+  results.append("/ledger", std::vector{1.0, 2.0});
   CHECK(hdf5::File::open(path).dataset("/ledger/kinetic").rows() == 0);  // waits in memory
   results.flush();
   CHECK(hdf5::File::open(path).dataset("/ledger/kinetic").read() == std::vector{2.0});
@@ -154,11 +161,12 @@ TEST_CASE("A growing file can be read") {
 TEST_CASE("Many flushes do not bloat the file") {
   const ScratchDirectory scratch;
   ResultsContent content;
-  for (int c = 0; c < 24; ++c) content.series.push_back({"channel_" + std::to_string(c), "1"});
+  content.groups = {{"/series", {}}};
+  for (int c = 0; c < 24; ++c) content.groups[0].channels.push_back({"channel_" + std::to_string(c), "1"});
   const int rows = 4096;
   ResultsFile results(scratch.path() / "results.h5", content);
   for (int row = 0; row < rows; ++row) {
-    results.append_series(std::vector<double>(24, row));
+    results.append("/series", std::vector<double>(24, row));
     if (row % 10 == 0) results.flush();
   }
   results.close();
@@ -215,8 +223,8 @@ TEST_CASE("Results that go on behind the rows kept read as if never interrupted"
   const int keep = GENERATE(0, 1, 700, 2499, 2500);
   write_run(whole, 2500);
   write_run(path, 2500);  // has gone on past its checkpoint
-  const ResultsRows rows{{"/series", keep}, {"/ledger", keep}, {"/performance", 0},  {"/breakage", 0},
-                         {"/product", 0},   {"/holdup", 0},    {"/liners/mantle", 0}};
+  const ResultsRows rows{{"/series", keep}, {"/ledger", keep},     {"/breakage", 0},
+                         {"/product", 0},   {"/liners/mantle", 0}, {"/liners/mantle/triangles", 0}};
   {
     ResultsFile results(path, full_content(), rows);
     CHECK(results.rows() == rows);
@@ -234,16 +242,20 @@ TEST_CASE("Results that go on behind the rows kept read as if never interrupted"
 TEST_CASE("Results that lack rows or tables of the checkpoint are refused and stay as they were") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
-  ResultsRows rows{{"/series", 10},  {"/ledger", 10}, {"/performance", 0},
-                   {"/breakage", 0}, {"/product", 0}, {"/liners/mantle", 0}};
+  ResultsRows rows{{"/series", 10}, {"/ledger", 10},       {"/breakage", 0},
+                   {"/product", 0}, {"/liners/mantle", 0}, {"/liners/mantle/triangles", 0}};
   CHECK_THROWS_AS(ResultsFile(path, full_content(), rows), BadInput);
   write_run(path, 9);
   const std::string before = bytes(path);
   CHECK_THROWS_WITH(ResultsFile(path, full_content(), rows),
                     Catch::Matchers::Contains("has 9 rows of /series/time, not 10"));
   ResultsContent other = full_content();
-  other.ledger.push_back({"friction", "J"});
+  other.groups[1].channels.push_back({"friction", "J"});
   rows["/series"] = rows["/ledger"] = 9;
-  CHECK_THROWS_WITH(ResultsFile(path, other, rows), Catch::Matchers::Contains("/ledger/friction"));
+  CHECK_THROWS_WITH(ResultsFile(path, other, rows), Catch::Matchers::Contains("has no /ledger/friction"));
+  other = full_content();
+  other.groups[3].channels.pop_back();
+  CHECK_THROWS_WITH(ResultsFile(path, other, rows),
+                    Catch::Matchers::Contains("has /product/passing, which would end here"));
   CHECK(bytes(path) == before);
 }

@@ -15,6 +15,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 
 using namespace gyro;
@@ -118,6 +119,24 @@ TEST_CASE("Walls read back with VTK as they were written") {
   CHECK(value(data->GetCellData(), "wall", 2) == 2);
   CHECK(data->GetCell(2)->GetPointId(1) == 6);  // vertex 3 of the second wall
   CHECK(data->GetPoint(6)[2] == 2);
+}
+
+TEST_CASE("The files have the fields that the reference names, with as many components") {
+  const ScratchDirectory scratch;
+  const ParticleSnapshot particles = three_particles();
+  const BondSnapshot bonds{{0}, {1}, {-5}, {0.5}, {0.125}};
+  const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0}};
+  SnapshotWriter(scratch.path()).write({.time = 1, .particles = &particles, .bonds = &bonds, .walls = walls});
+  std::map<std::string, int> described, written;
+  for (const SnapshotField& field : snapshot_fields()) described[field.kind + " " + field.name] = field.width;
+  for (const std::string kind : {"particles", "bonds", "walls"}) {
+    const auto data = read(scratch.path() / "snapshots" / (kind + "_000000.vtp"));
+    for (vtkDataSetAttributes* fields : {static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+                                         static_cast<vtkDataSetAttributes*>(data->GetCellData())})
+      for (int k = 0; k < fields->GetNumberOfArrays(); ++k)
+        written[kind + " " + fields->GetArrayName(k)] = fields->GetArray(k)->GetNumberOfComponents();
+  }
+  CHECK(described == written);
 }
 
 TEST_CASE("The indices name every frame with its time, also after a resume") {

@@ -24,11 +24,11 @@ const Material rock = soft_rock();
 
 /// Floor z = 0 for x < 0, riser x = 0 from z = 0 to 0.2, top z = 0.2 for x > 0.
 Wall stair() {
-  return {
-      "stair",
-      MeshShape{{{-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0}, {0, -1, 0.2}, {0, 1, 0.2}, {1, -1, 0.2}, {1, 1, 0.2}},
-                {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {4, 6, 7}, {4, 7, 5}}},
-      Fixed{}, 1};
+  return {"stair",
+          TriangleMesh{
+              {{-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0}, {0, -1, 0.2}, {0, 1, 0.2}, {1, -1, 0.2}, {1, 1, 0.2}},
+              {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {4, 6, 7}, {4, 7, 5}}},
+          Fixed{}, 1};
 }
 
 Wall fold(double degrees) {
@@ -89,7 +89,7 @@ void corners(Recorder& out) {
   const Vec3d two = force_on_held({stair()}, rock, radius, {a - radius, 0.1, radius - b}, out.precision());
   out.relative("two-faces-riser", -two.x, hertz_force(rock, radius, a), {1e-9, 1e-6}, "Hertz on each face");
   out.relative("two-faces-floor", two.z, hertz_force(rock, radius, b), {1e-9, 1e-6}, "Hertz on each face");
-  const Wall box{"box", MeshShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}},
+  const Wall box{"box", TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}},
                  Fixed{}, 1};
   const Vec3d three = force_on_held({box}, rock, radius, {radius - a, radius - b, radius - c}, out.precision());
   out.relative("three-faces-x", three.x, hertz_force(rock, radius, a), {1e-9, 1e-6}, "Hertz on each face");
@@ -176,8 +176,8 @@ void friction_across_a_valley(Recorder& out) {
 /// The force of the tip of a pyramid points away from the tip.
 void tip(Recorder& out) {
   const Wall pyramid{"pyramid",
-                     MeshShape{{{0, 0, 0}, {1, 0, -1}, {0, 1, -1}, {-1, 0, -1}, {0, -1, -1}},
-                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}},
+                     TriangleMesh{{{0, 0, 0}, {1, 0, -1}, {0, 1, -1}, {-1, 0, -1}, {0, -1, -1}},
+                                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}},
                      Fixed{}, 1};
   const Vec3d centre{0.1 * radius, 0.2 * radius, 0.95 * radius};
   const Vec3d force = force_on_held({pyramid}, rock, radius, centre, out.precision());

@@ -122,7 +122,7 @@ void action_and_reaction(Recorder& out) {
   scene.walls = {{"plane", PlaneShape{{0, 0, -2}, {0, 0, 1}}, LinearMotion{{0.3, 0.1, 0.2}}, 1},
                  {"ring", ring, RotationMotion{{0, 0, 1}, {0, 0, 0}, 0.7}, 1},
                  {"mesh", split_square(3, 40), CircularMotion{0.01, 0.5}, 1}};
-  for (Vec3d& v : std::get<MeshShape>(scene.walls[2].shape).vertices) v.z += 2 + 0.05 * v.x;
+  for (Vec3d& v : std::get<TriangleMesh>(scene.walls[2].shape).vertices) v.z += 2 + 0.05 * v.x;
   Stage stage(scene, out.precision());
   for (int k = 0; k < 6; ++k) {
     const double angle = k * pi / 3;
@@ -180,7 +180,7 @@ void million_gyrations(Recorder& out) {
   const auto [force1, pose1] = force_and_pose(1e6);
   const auto [force2, pose2] = force_and_pose(1e6 + 0.5);
   double moved = 0, half_way = 0;
-  for (const Vec3d& v : std::get<MeshShape>(scene.walls[0].shape).vertices) {
+  for (const Vec3d& v : std::get<TriangleMesh>(scene.walls[0].shape).vertices) {
     moved = std::max(moved, norm(to_world(pose1, v) - to_world(pose0, v)));
     half_way = std::max(half_way, norm(to_world(pose2, v) - to_world(pose0, v)));
   }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/assembly/assembly.hpp"
+#include "app/output/tables/tables.hpp"
+#include "app/simulation/simulation.hpp"
+
+#include <span>
+
+namespace gyro {
+
+/// What the outputs of a run can be.
+OutputForm output_form(const Case& input, const Assembly& assembly);
+
+/// The window that the simulation has just done.
+WindowReading read_window(const WindowResult& result, const Simulation& simulation);
+
+/// The simulation as it is now. What only the caller knows is left out: interval, mass discharged before, wall clock.
+/// @param probes  ids of output.probes
+SeriesReading read_series(const Simulation& simulation, std::span<const std::uint32_t> probes);
+LedgerReading read_ledger(const Simulation& simulation);
+
+}  // namespace gyro

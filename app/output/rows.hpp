@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/output/reading.hpp"
+#include "app/output/tables/table_writer.hpp"
+
+#include <optional>
+
+namespace gyro {
+
+/// The groups of results.h5 that get a row at the same times: /series, /ledger, /performance, /product and /holdup; and
+/// /breakage, which gets a row for each bond.
+class RowWriter {
+ public:
+  RowWriter(const Case& input, const OutputForm& form);
+
+  /// Adds its groups to what results.h5 must have.
+  void declare(ResultsContent& content) const;
+  /// Adds a window to the means of the next row, and writes the bonds that broke in it.
+  void add(ResultsFile& file, const WindowResult& result, const Simulation& simulation);
+  bool empty() const { return !(series_.length() > 0); }  ///< no window since the last row
+  void write(ResultsFile& file, const Simulation& simulation, double wall_seconds);
+
+  void save(SavedState& to) const;
+  /// @throws BadInput for what an output with other columns has saved
+  void restore(const SavedState& from);
+
+ private:
+  CurveReading reading_of(const ProductRow& curve) const;
+
+  const Case& input_;
+  TableWriter<SeriesReading, WindowReading> series_;
+  TableWriter<LedgerReading, WindowReading> ledger_;
+  TableWriter<PerformanceReading> performance_;
+  std::optional<TableWriter<Breakage>> breakage_;
+  std::optional<TableWriter<CurveReading>> product_, holdup_;
+  double discharged_before_ = 0;  ///< at the last row [kg]
+};
+
+}  // namespace gyro

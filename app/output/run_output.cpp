@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output/run_output.hpp"
+
+#include "core/scene/wall_motion.hpp"
+
+#include <cmath>
+#include <string_view>
+
+namespace gyro {
+namespace {
+
+constexpr std::string_view rows_prefix = "results";
+constexpr std::string_view rows_suffix = "/rows";  // a group of results.h5 may hold another
+
+ResultsRows saved_rows(const SavedState& saved) {
+  ResultsRows rows;
+  for (const auto& [name, column] : saved.columns())
+    if (name.starts_with(rows_prefix))
+      rows[name.substr(rows_prefix.size(), name.size() - rows_prefix.size() - rows_suffix.size())] =
+          saved.get_one<std::int64_t>(name);
+  return rows;
+}
+
+/// Intervals that are over at a time.
+std::int64_t intervals(double interval, double time) {
+  return interval > 0 ? static_cast<std::int64_t>(std::floor(time / interval * (1 + 1e-9))) : 0;
+}
+
+/// Whether another interval is over.
+bool due(double interval, std::int64_t counted, double time) {
+  return interval > 0 && time >= static_cast<double>(counted) * interval * (1 - 1e-9);
+}
+
+PosedWall posed(const WallPicture& picture, const WallPose& pose) {
+  PosedWall out{picture.mesh, picture.wall};
+  for (Vec3d& v : out.mesh.vertices) v = to_world(pose, v);
+  return out;
+}
+
+}  // namespace
+
+RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
+                     const std::filesystem::path& directory, const SavedState* saved)
+    : input_(input),
+      assembly_(assembly),
+      state_(saved ? saved->get_one<State>("output") : State{}),
+      rows_(input, output_form(input, assembly)),
+      maps_(input, assembly),
+      results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_rows(*saved))
+                     : ResultsFile(directory / "results.h5", content(record))),
+      snapshots_(directory, state_.snapshot_times) {
+  if (!saved) return;
+  rows_.restore(*saved);
+  maps_.restore(*saved);
+  gyrations_.restore(*saved);
+  // With another interval than before, the next frame is the first that lies ahead.
+  const CaseOutput& now = input_.output;
+  if (now.snapshots != state_.snapshot_interval) state_.frames = intervals(now.snapshots, state_.time) + 1;
+}
+
+ResultsContent RunOutput::content(const CaseRecord& record) const {
+  ResultsContent content;
+  content.record = record;
+  rows_.declare(content);
+  maps_.declare(content);
+  return content;
+}
+
+void RunOutput::begin(const Simulation& simulation) {
+  if (input_.output.snapshots > 0) write_snapshot(simulation);
+}
+
+void RunOutput::take(const WindowResult& result, const Simulation& simulation) {
+  rows_.add(results_, result, simulation);
+  state_.crushing_work += result.load.work;
+  state_.time = simulation.time();
+  maps_.take(result.wall_impulses, state_.time, results_);
+  if (simulation.drivetrain())
+    gyrations_.add(state_.time, result.window.length(), simulation.drivetrain()->state().angle, result.crushing_power,
+                   result.holdup_mass, result.discharged_mass);
+  if (result.inspected) write_row(simulation);
+  if (due(input_.output.snapshots, state_.frames, state_.time)) write_snapshot(simulation);
+}
+
+void RunOutput::write_row(const Simulation& simulation) {
+  rows_.write(results_, simulation, wall_seconds());
+}
+
+void RunOutput::write_snapshot(const Simulation& simulation) {
+  const ParticleSnapshot particles = simulation.dem().particles();
+  const BondSnapshot bonds = simulation.dem().bonds();
+  std::vector<PosedWall> walls;
+  const std::vector<WallPose> poses = simulation.dem().wall_poses();
+  for (const WallPicture& picture : assembly_.pictures)
+    walls.push_back(posed(picture, poses[static_cast<std::size_t>(picture.wall)]));
+  snapshots_.write({simulation.time(), &particles, input_.bonds ? &bonds : nullptr, walls});
+  ++state_.frames;
+}
+
+double RunOutput::wall_seconds() const {
+  return state_.wall_seconds + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void RunOutput::save(SavedState& to) const {
+  State state = state_;
+  state.wall_seconds = wall_seconds();
+  state.snapshot_interval = input_.output.snapshots;
+  state.snapshot_times = snapshots_.times();
+  to.put_one("output", state);
+  for (const auto& [group, rows] : results_.rows())
+    to.put_one(std::string(rows_prefix) + group + std::string(rows_suffix), rows);
+  rows_.save(to);
+  maps_.save(to);
+  gyrations_.save(to);
+}
+
+void RunOutput::close(const Simulation& simulation) {
+  if (!rows_.empty()) write_row(simulation);
+  maps_.close(results_);
+  results_.close();
+}
+
+}  // namespace gyro

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/assembly/assembly.hpp"
+#include "app/output/liner_maps.hpp"
+#include "app/output/rows.hpp"
+#include "app/output/steady_state.hpp"
+#include "app/simulation/simulation.hpp"
+#include "io/run/results.hpp"
+#include "io/run/snapshots.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <vector>
+
+namespace gyro {
+
+/// What a run writes while it runs: results.h5 and the snapshots. What a case does not have gets no output.
+class RunOutput {
+ public:
+  /// @param saved  state of the output of a run that is resumed, else null; what the directory has beyond it is dropped
+  /// @throws BadInput for a directory that does not have what was written until then
+  RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
+            const std::filesystem::path& directory, const SavedState* saved = nullptr);
+
+  /// Writes the snapshot of the start, if the case asks for snapshots.
+  void begin(const Simulation& simulation);
+  /// Takes in a window; writes the row and the snapshot that are due.
+  void take(const WindowResult& result, const Simulation& simulation);
+  /// Saves what a resumed run needs, between two windows.
+  void save(SavedState& to) const;
+  /// Waits until the disk has all rows: a checkpoint must never be ahead of them.
+  void sync() { results_.sync(); }
+  double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
+  /// Writes what is left and closes the files. @param simulation  inspected at its end
+  void close(const Simulation& simulation);
+
+  double mean_crushing_power() const { return state_.time > 0 ? state_.crushing_work / state_.time : 0; }  ///< [W]
+  double crushing_work() const { return state_.crushing_work; }                                            ///< [J]
+  const std::vector<GyrationMeans>& gyrations() const { return gyrations_.gyrations(); }
+
+ private:
+  /// Everything that a checkpoint must keep beside the states of its parts.
+  struct State {
+    double time = 0;                     ///< [s]
+    double crushing_work = 0;            ///< since the start [J]
+    double wall_seconds = 0;             ///< of the earlier parts of the run [s]
+    double snapshot_interval = 0;        ///< with which frames were counted [s]
+    std::int64_t frames = 0;             ///< intervals of output.snapshots that are over
+    std::vector<double> snapshot_times;  ///< [s]
+
+    template <class F, class... S>
+    static constexpr void for_each_field(F&& f, S&... s) {
+      f("time", s.time...);
+      f("crushing_work", s.crushing_work...);
+      f("wall_seconds", s.wall_seconds...);
+      f("snapshot_interval", s.snapshot_interval...);
+      f("frames", s.frames...);
+      f("snapshot_times", s.snapshot_times...);
+    }
+  };
+
+  ResultsContent content(const CaseRecord& record) const;
+  double wall_seconds() const;
+  void write_row(const Simulation& simulation);
+  void write_snapshot(const Simulation& simulation);
+
+  const Case& input_;
+  const Assembly& assembly_;
+  State state_;
+  RowWriter rows_;
+  LinerMaps maps_;
+  GyrationReader gyrations_;
+  ResultsFile results_;
+  SnapshotWriter snapshots_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace gyro

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mbd/drive.hpp"
+
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// What a run has, as far as it decides which outputs there are.
+struct OutputForm {
+  bool drive = false, mantle = false, feed = false, product = false, bonds = false;
+  DriveKnowledge drive_knows = {};
+  std::vector<std::string> walls = {};   ///< names of all walls but the first gyrating one
+  std::vector<std::string> probes = {};  ///< ids of the particles that the series follow
+  bool liners = false, wear = false;     ///< maps of the liners are asked for; with a depth of wear
+};
+
+/// When a table or a column is there.
+struct Presence {
+  const char* text;                  ///< completes "present ...", as "with bonds"
+  bool (*holds)(const OutputForm&);  ///< whether it is there in a run
+};
+
+inline constexpr Presence always{"always", [](const OutputForm&) { return true; }};
+inline constexpr Presence with_drive{"with a drivetrain", [](const OutputForm& f) { return f.drive; }};
+inline constexpr Presence with_mantle{"with a gyrating wall", [](const OutputForm& f) { return f.mantle; }};
+inline constexpr Presence with_feed{"with a feed", [](const OutputForm& f) { return f.feed; }};
+inline constexpr Presence with_product{"with a crusher", [](const OutputForm& f) { return f.product; }};
+inline constexpr Presence with_bonds{"with bonds", [](const OutputForm& f) { return f.bonds; }};
+inline constexpr Presence with_liners{"with output.liners", [](const OutputForm& f) { return f.liners; }};
+
+}  // namespace gyro

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output/tables/reference.hpp"
+
+#include "app/output/tables/tables.hpp"
+#include "io/run/case_record.hpp"
+#include "io/run/snapshots.hpp"
+#include "io/run/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cctype>
+
+namespace gyro {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string width_text(Shape shape, const char* array) {
+  return shape == Shape::number ? "1" : shape == Shape::array ? array : "3";
+}
+
+template <class Now, class Window>
+OutputGroup group_of(const Table<Now, Window>& table) {
+  OutputGroup group{std::string(table.group), std::string(table.rows), {}};
+  for (const Column<Now, Window>& c : table.columns) {
+    const Presence& when = c.presence.holds == always.holds ? table.presence : c.presence;
+    group.entries.push_back({std::string(c.name), std::string(c.units), width_text(c.value.shape(), c.array),
+                             to_string(c.sampling()), when.text, std::string(c.description)});
+  }
+  return group;
+}
+
+/// Adds the datasets of a group that are written once.
+template <class Now>
+OutputGroup with_fixed(OutputGroup group, const Table<Now>& fixed) {
+  for (OutputEntry& e : group_of(fixed).entries) group.entries.push_back(std::move(e));
+  return group;
+}
+
+OutputGroup case_group() {
+  OutputGroup group{"/case", "attributes of the group, written at the start", {}};
+  for (const RecordAttribute& a : record_attributes())
+    group.entries.push_back({a.name, a.name == "seed" ? "1" : "-", "1", "", "always", a.description});
+  return group;
+}
+
+OutputGroup snapshot_group(const std::string& kind, const std::string& content, const char* when) {
+  OutputGroup group{"snapshots/" + kind + "_NNNNNN.vtp", content, {}};
+  for (const SnapshotField& f : snapshot_fields())
+    if (f.kind == kind)
+      group.entries.push_back(
+          {f.name, f.units, std::to_string(f.width), to_string(Sampling::instant), when, f.description});
+  return group;
+}
+
+OutputGroup summary_group() {
+  OutputGroup group{"summary.json", "figures of the run, written at its end; null where they do not apply", {}};
+  for (const SummaryMember& m : summary_members())
+    group.entries.push_back({m.name, m.units, "1", "", m.when, m.description});
+  return group;
+}
+
+/// How many numbers a row has: "1", "3", "1 per sieve".
+std::string numbers_text(const OutputEntry& e) {
+  return e.width == "1" || e.width == "3" ? e.width : "1 per " + e.width;
+}
+
+/// "W, mean; with a gyrating wall"
+std::string properties_of(const OutputEntry& e) {
+  std::string text = e.units == "1" ? "pure number" : e.units == "-" ? "text or list" : e.units;
+  if (e.width != "1") text += ", " + numbers_text(e);
+  if (!e.sampling.empty()) text += ", " + e.sampling;
+  return text + "; " + e.when;
+}
+
+/// With a capital letter and a full stop.
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+/// Text of a cell of the page, where < would begin a tag.
+std::string cell(std::string text) {
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<')) text.replace(at, 1, "&lt;");
+  return text;
+}
+
+constexpr const char* head =
+    R"(Every dataset of results.h5 has attributes `units`, `sampling` and `description`. A row belongs to its `time`, the end of
+the interval that it stands for; `sampling` says how:
+
+* `instant`: the value at `time`. Speeds, angles, masses, counts, sums since the start, and what never changes.
+* `mean`: the mean over the interval. Powers, torques, forces and rates.
+* `sum`: the sum over the interval.
+
+Units are SI; 1 is a pure number, - is no number. What a case does not have is left out. `<wall>` stands for the name of a
+wall, `<id>` for the id of a particle.
+)";
+
+}  // namespace
+
+std::vector<OutputGroup> output_reference() {
+  return {group_of(series_table()),
+          group_of(ledger_table()),
+          group_of(performance_table()),
+          group_of(breakage_table()),
+          with_fixed(group_of(product_table()), product_sieves()),
+          with_fixed(group_of(holdup_table()), holdup_sieves()),
+          with_fixed(group_of(liner_cells_table()), liner_shape_table()),
+          group_of(liner_triangles_table()),
+          case_group(),
+          summary_group(),
+          snapshot_group("particles", "points, in single precision; open particles.pvd", "with output.snapshots"),
+          snapshot_group("bonds", "lines, in single precision; open bonds.pvd", "with output.snapshots and bonds"),
+          snapshot_group("walls", "triangles, in single precision; open walls.pvd", "with output.snapshots")};
+}
+
+std::string outputs_text() {
+  std::string text = head;
+  for (const OutputGroup& group : output_reference()) {
+    text += "\n" + group.name + ": " + group.content + "\n";
+    for (const OutputEntry& e : group.entries)
+      text += group.name + "/" + e.name + "\n    " + properties_of(e) + "\n    " + e.description + "\n";
+  }
+  return text;
+}
+
+std::string outputs_page() {
+  std::string text =
+      "# Outputs of a run\n\nWritten by `gyrosim describe outputs --markdown` from the tables that write the "
+      "files; a test compares them.\n\n";
+  text += head;
+  for (const OutputGroup& group : output_reference()) {
+    text += "\n## `" + group.name + "`\n\n" + sentence(group.content) + "\n\n";
+    text += "| name | units | numbers | sampling | present | what it is |\n|---|---|---|---|---|---|\n";
+    for (const OutputEntry& e : group.entries)
+      text += "| `" + e.name + "` | " + e.units + " | " + numbers_text(e) + " | " + e.sampling + " | " + e.when +
+              " | " + cell(e.description) + " |\n";
+  }
+  return text;
+}
+
+std::string outputs_json() {
+  Json outputs = Json::array();
+  for (const OutputGroup& group : output_reference())
+    for (const OutputEntry& e : group.entries)
+      outputs.push_back({{"group", group.name},
+                         {"name", e.name},
+                         {"units", e.units},
+                         {"width", e.width},
+                         {"sampling", e.sampling},
+                         {"when", e.when},
+                         {"description", e.description},
+                         {"rows", group.content}});
+  return Json{{"outputs", outputs}}.dump(2) + "\n";
+}
+
+}  // namespace gyro

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/mesh/obj.hpp"
+
+#include "core/base/errors.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace gyro {
+namespace {
+
+/// The lines of an OBJ file, with their number for messages.
+class ObjParser {
+ public:
+  explicit ObjParser(const std::string& name) : name_(name) {}
+
+  void line(std::string_view text) {
+    ++number_;
+    text_ = text.substr(0, text.find('#'));
+    const std::string_view keyword = word();
+    if (keyword == "v") {
+      vertex();
+    } else if (keyword == "f") {
+      face();
+    }  // textures, normals, groups, materials, points and lines are not part of the surface
+  }
+
+  /// The mesh of all lines so far.
+  TriangleMesh finish() {
+    if (mesh_.triangles.empty()) throw BadInput(name_ + ": no faces; an OBJ file with 'v' and 'f' lines is needed");
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw BadInput(name_ + ":" + std::to_string(number_) + ": " + problem +
+                   "; vertices are 'v x y z', faces 'f' with at least 3 of v, v/vt, v//vn or v/vt/vn");
+  }
+
+  std::string_view word() {
+    constexpr const char* blanks = " \t\r\n\v\f\\";
+    const std::size_t begin = std::min(text_.find_first_not_of(blanks), text_.size());
+    const std::size_t end = std::min(text_.find_first_of(blanks, begin), text_.size());
+    const std::string_view found = text_.substr(begin, end - begin);
+    text_.remove_prefix(end);
+    return found;
+  }
+
+  void vertex() {
+    double x[3];
+    for (double& value : x) {
+      std::string_view w = word();
+      if (w.starts_with('+')) w.remove_prefix(1);
+      const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
+      if (w.empty() || error != std::errc{} || end != w.data() + w.size()) refuse("a vertex without three numbers");
+      if (!std::isfinite(value)) refuse("a coordinate that is not finite");
+    }
+    if (mesh_.vertices.size() >= static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+      refuse("too many vertices");
+    mesh_.vertices.push_back({x[0], x[1], x[2]});
+  }
+
+  /// 1-based from the start, or negative from the vertices read so far.
+  Index corner(std::string_view w) const {
+    w = w.substr(0, w.find('/'));
+    std::int64_t n = 0;
+    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), n);
+    const std::int64_t count = static_cast<std::int64_t>(mesh_.vertices.size());
+    const std::int64_t index = n < 0 ? count + n : n - 1;
+    if (w.empty() || error != std::errc{} || end != w.data() + w.size() || index < 0 || index >= count || n == 0) {
+      refuse("a face refers to vertex '" + std::string(w.substr(0, 20)) + "', but there are " + std::to_string(count));
+    }
+    return static_cast<Index>(index);
+  }
+
+  /// A polygon becomes a fan of triangles about its first corner.
+  void face() {
+    std::vector<Index> corners;
+    for (std::string_view w = word(); !w.empty(); w = word()) corners.push_back(corner(w));
+    if (corners.size() < 3) refuse("a face with fewer than three corners");
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      mesh_.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+    }
+  }
+
+  std::string name_;
+  std::string_view text_;
+  std::size_t number_ = 0;
+  TriangleMesh mesh_;
+};
+
+bool continues(std::string_view line) {
+  const std::size_t last = line.find_last_not_of(" \t\r");
+  return last != std::string_view::npos && line[last] == '\\';
+}
+
+}  // namespace
+
+TriangleMesh parse_obj(std::string_view text, const std::string& name) {
+  ObjParser parser(name);
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = std::min(text.find('\n', begin), text.size());
+    // A backslash at the end joins the next line; word() skips it like a blank.
+    while (end < text.size() && continues(text.substr(begin, end - begin))) {
+      end = std::min(text.find('\n', end + 1), text.size());
+    }
+    parser.line(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parser.finish();
+}
+
+}  // namespace gyro

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/triangle_mesh.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace gyro {
+
+/// Reads the text of an OBJ file: its vertices and faces, polygons as fans of triangles. All else (textures, normals,
+/// groups, materials, lines) is skipped.
+/// @param name for messages, which add the line
+/// @throws BadInput if a line is malformed, or there is no face
+TriangleMesh parse_obj(std::string_view text, const std::string& name);
+
+}  // namespace gyro

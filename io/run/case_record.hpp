@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/hdf5/hdf5.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gyro {
+
+/// What made a run: the attributes of group /case of results.h5.
+struct CaseRecord {
+  std::string title;
+  std::string resolved_yaml;  ///< the case with defaults and --set applied
+  std::string version, git_hash;
+  std::string device;     ///< "cpu" or the name of the GPU
+  std::string precision;  ///< "mixed" or "double"
+  std::uint64_t seed = 0;
+};
+
+/// Makes the group where it is missing; replaces its attributes.
+void write_record(hdf5::File& file, const CaseRecord& record);
+
+/// An attribute of /case, for the reference of outputs.
+struct RecordAttribute {
+  std::string name, description;
+};
+std::vector<RecordAttribute> record_attributes();
+
+}  // namespace gyro

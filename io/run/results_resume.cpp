@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// results.h5 of a run that is resumed: checked, cut to the rows of its checkpoint, and opened again.
+#include "core/base/errors.hpp"
+#include "io/run/replace_file.hpp"
+#include "io/run/results.hpp"
+
+#include <algorithm>
+
+namespace gyro {
+namespace {
+
+BadInput refused(const std::filesystem::path& path, const std::string& why) {
+  return BadInput(path.string() + ": " + why +
+                  "; restore the file that belongs to the checkpoint, or use --overwrite to start the run again");
+}
+
+/// Whether a child of a group is one of the content's groups or datasets.
+bool is_in(const ResultsContent& content, const ResultsGroup& group, const std::string& child) {
+  const std::string path = group.name + "/" + child;
+  return std::ranges::any_of(group.channels, [&](const Channel& channel) { return channel.name == child; }) ||
+         std::ranges::any_of(content.fixed, [&](const FixedNumbers& fixed) { return fixed.name == path; }) ||
+         std::ranges::any_of(content.groups, [&](const ResultsGroup& other) { return other.name == path; });
+}
+
+void require_channels(const std::filesystem::path& path, const hdf5::File& file, const ResultsGroup& group,
+                      const ResultsRows& keep) {
+  for (const Channel& channel : group.channels) {
+    const std::string name = group.name + "/" + channel.name;
+    const auto rows = keep.find(group.name);
+    if (rows == keep.end() || !file.contains(name)) throw refused(path, "has no " + name);
+    const hdf5::Dataset dataset = file.dataset(name);
+    if (dataset.columns() != channel.columns) throw refused(path, "has another form of " + name);
+    if (dataset.rows() < rows->second)
+      throw refused(
+          path, "has " + std::to_string(dataset.rows()) + " rows of " + name + ", not " + std::to_string(rows->second));
+  }
+}
+
+/// @throws BadInput unless a file has the groups of a content, with the rows to keep, and no other datasets in them
+void require_rows(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep) {
+  if (!std::filesystem::exists(path)) throw refused(path, "is missing");
+  const hdf5::File file = hdf5::File::open(path);
+  for (const ResultsGroup& group : content.groups) {
+    require_channels(path, file, group, keep);
+    for (const std::string& child : file.children(group.name))
+      if (!is_in(content, group, child))
+        throw refused(path, "has " + group.name + "/" + child + ", which would end here");
+  }
+}
+
+/// Drops all rows behind those to keep, in a copy that then takes the file's place.
+void shorten(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep) {
+  const std::filesystem::path part = path.string() + ".tmp";
+  try {
+    std::error_code error;
+    std::filesystem::copy_file(path, part, std::filesystem::copy_options::overwrite_existing, error);
+    if (error) throw OutputError(path.string() + ": cannot copy: " + error.message());
+    hdf5::File file = hdf5::File::modify(part);
+    for (const ResultsGroup& group : content.groups)
+      for (const Channel& channel : group.channels) {
+        hdf5::Dataset dataset = file.dataset(group.name + "/" + channel.name);
+        if (dataset.rows() > keep.at(group.name)) dataset.truncate(keep.at(group.name));
+      }
+    write_record(file, content.record);
+    file.close();
+    put_in_place(path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep)
+    : path_(path), last_flush_(std::chrono::steady_clock::now()) {
+  require_rows(path, content, keep);
+  shorten(path, content, keep);
+  file_ = hdf5::File::modify(path);
+  for (const ResultsGroup& group : content.groups)
+    tables_.emplace(group.name, ResultsTable(*file_, group, keep.at(group.name)));
+  file_->start_appending();
+}
+
+}  // namespace gyro
