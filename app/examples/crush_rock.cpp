@@ -34,7 +34,7 @@ void add_rock(Setup& setup) {
   recipe.bed = bed_contacts(setup.scene);
   setup.library = make_library(recipe);
   setup.feed = FeedPlan{};
-  setup.feed->fixed = {{0, {0.143, 0, 0.2}}};
+  setup.feed->fixed = {{0, {0.135, 0, 0.16}}};
 }
 
 DrivetrainParameters make_drive() {
@@ -61,7 +61,7 @@ int main() {
 
   Simulation run(setup, make_cpu_dem(setup.scene, Precision::mixed, 1), Drivetrain(make_drive()));
   std::printf("time_ms,eccentric_rpm,broken_bonds,fragments,motor_work_J,crushing_work_J\n");
-  for (int row = 1; row <= 30; ++row) {
+  for (int row = 1; row <= 25; ++row) {
     while (run.time() < row * 0.01) {
       run.advance();
       run.require_sound();
