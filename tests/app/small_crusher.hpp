@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gyro {
@@ -17,11 +18,15 @@ struct SmallCrusher {
   explicit SmallCrusher(const std::vector<std::string>& set)
       : input(load_case(GYRO_APP_CASES "/crush.yaml", set).loaded.value()),
         assembly(assemble(input)),
-        made(make_simulation(input, assembly.setup, make_dem(Device{}, assembly.setup.scene, Precision::mixed))),
+        empty(make_dem(Device{}, assembly.setup.scene, Precision::mixed)),
+        dem(*empty),
+        made(make_simulation(input, assembly.setup, std::move(empty))),
         simulation(*made) {}
 
   Case input;
   Assembly assembly;
+  std::unique_ptr<Dem> empty;  ///< given to the simulation
+  Dem& dem;                    ///< the simulation's, for tests that disturb it
   std::unique_ptr<Simulation> made;
   Simulation& simulation;
 };

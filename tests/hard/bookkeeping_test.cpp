@@ -22,7 +22,7 @@ TEST_CASE("H30 a number that is not finite stops the run at the end of its windo
     REQUIRE_FALSE(run.simulation.verdict());
   }
   const std::vector<NewRock> bad_sphere{sphere(777777, {0.125, 0, 0.1}, {0, 0, bad}, 0.002, 2600)};
-  run.simulation.dem().insert(bad_sphere);
+  run.dem.insert(bad_sphere);
   run.simulation.advance();
   REQUIRE(run.simulation.verdict());
   CHECK(run.simulation.verdict()->find("particle 777777") != std::string::npos);
@@ -79,5 +79,5 @@ TEST_CASE("H33 every particle that was fed is inside or discharged", "[hard]") {
 TEST_CASE("H36 the program's clock is the count of steps", "[hard]") {
   SmallCrusher run({});
   for (int k = 0; k < 5; ++k) run.simulation.advance();
-  CHECK(run.simulation.time() == 5.0 * run.assembly.step.per_window * run.assembly.scene.dt);
+  CHECK(run.simulation.time() == 5.0 * run.assembly.step.steps_per_window * run.assembly.setup.scene.dt);
 }
