@@ -108,10 +108,10 @@ TEST_CASE("A foreign FMU turns the crusher, without checkpoints when it cannot s
   INFO(run.err);
   REQUIRE(run.code == 0);
   CHECK(run.err.find("native code") != std::string::npos);
-  CHECK_THAT(read_text(place.path() / "r/log.txt"), Contains("native code") && Contains("another program") &&
-                                                        Contains("foreign.fmu says that it needs another program") &&
-                                                        Contains("this run has no checkpoints") &&
-                                                        Contains("canGetAndSetFMUstate is false"));
+  CHECK_THAT(read_text(place.path() / "r/log.txt"),
+             Contains("native code") && Contains("another program") &&
+                 Contains("foreign.fmu declares that it needs another program") &&
+                 Contains("this run has no checkpoints") && Contains("canGetAndSetFMUstate is false"));
   CHECK(!fs::exists(place.path() / "r/checkpoint.h5"));
   const std::vector<std::string> series = results_in(place.path() / "r", "series");
   const auto there = [&](const char* name) { return std::ranges::find(series, name) != series.end(); };

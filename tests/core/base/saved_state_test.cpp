@@ -118,7 +118,7 @@ TEST_CASE("What does not fit what is asked for is refused, with the column's nam
   CHECK_THROWS_WITH(s.get<float>("numbers"), Contains("numbers"));
   CHECK_THROWS_WITH(s.get<Vec3d>("numbers"), Contains("numbers"));
   CHECK_THROWS_WITH(s.get<double>("numbers", 3), Contains("2 rows of numbers"));
-  CHECK_THROWS_WITH(s.get<Row>("rows", 1), Contains("2 rows of rows/kind"));
+  CHECK_THROWS_WITH(s.get<Row>("rows", 1), Contains("2 rows of rows"));
   CHECK_THROWS_AS(s.get_one<Row>("rows"), BadInput);  // two of them
   s.put("rows/id", std::vector<std::uint32_t>{1});
   CHECK_THROWS_WITH(s.get<Row>("rows"), Contains("1 rows of rows/id"));
