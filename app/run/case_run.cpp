@@ -2,9 +2,9 @@
 #include "app/run/case_run.hpp"
 
 #include "app/assembly/bad_key.hpp"
-#include "app/run/stop_request.hpp"
 #include "app/output/laboratory.hpp"
 #include "app/output/run_figures.hpp"
+#include "app/run/stop_request.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 #include "io/run/replace_file.hpp"

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/assembly/assembly.hpp"
+#include "app/output/run_output.hpp"
 #include "app/run/checkpoint.hpp"
 #include "app/run/run_log.hpp"
 #include "app/simulation/device.hpp"
-#include "app/output/run_output.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/run_directory.hpp"
 #include "io/run/summary.hpp"
