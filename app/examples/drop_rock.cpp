@@ -44,7 +44,7 @@ int main() {
   scene.materials = {{.name = "rock", .density = 2600, .shear_modulus = 139e6, .poisson_ratio = 0.35}};
   scene.pairs = {{.friction = 0.5, .restitution = 0.2}};
   scene.bonds = BondParameters{
-      .normal_stiffness = 100e9, .shear_stiffness = 40e9, .tensile_strength = 9e6, .shear_strength = 6e6};
+      .normal_stiffness = 100e9, .shear_stiffness = 40e9, .tensile_strength = 2e6, .shear_strength = 1.4e6};
   scene.walls = {{.name = "floor", .shape = PlaneShape{{0, 0, 0}, {0, 0, 1}}, .motion = Fixed{}}};
   scene.dt = 2e-6;
 

@@ -74,7 +74,7 @@ class Pages(Installed):
 
     def setUp(self):
         self.all = self.commands()
-        self.assertGreaterEqual(len(self.all), 12)
+        self.assertGreaterEqual(len(self.all), 11)
         self.assertIn("--resume", dict(self.all)[("run",)])
 
     def test_manual_page(self):
