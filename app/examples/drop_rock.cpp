@@ -49,7 +49,7 @@ int main() {
   scene.dt = 2e-6;
 
   const auto dem = make_cpu_dem(scene, Precision::mixed, 1);
-  dem->insert(std::array{make_cube(6, 0.004, 0.005, 6)});
+  dem->insert(std::array{make_cube(6, 0.004, 0.012, 6)});
   const std::int64_t bonds = dem->counts().bonds_intact;
   std::printf("time_ms,broken_bonds,kinetic_J,bond_elastic_J,lost_J,residual_J\n");
   for (Window window{.first_step = 0, .steps = 500, .dt = scene.dt}; window.first_step < 5000;
