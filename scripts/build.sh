@@ -4,6 +4,7 @@
 # standard error. A folder that is configured already is kept as it is, so options given
 # with `cmake --preset release -D...` stay.
 #   scripts/build.sh [--cuda] [target]...
+# GYRO_CMAKE_OPTIONS: options for the first configuration, e.g. "-DGYRO_WERROR=ON -DGYRO_PRECOMPILE=OFF".
 # --cuda: with the CUDA engine wherever nvcc is found; otherwise only where there is a device, too.
 set -euo pipefail
 
@@ -44,7 +45,8 @@ found="$nvcc $("$root/scripts/cuda_device.sh" 2>/dev/null || true)"
 with_cuda=()
 if [ $wanted_cuda = yes ] && [ -n "$nvcc" ]; then with_cuda=(-DGYRO_CUDA=ON); fi
 if ! is_configured; then
-  (cd "$root" && cmake --preset release "${with_cuda[@]}") >&2
+  # shellcheck disable=SC2086  # options are separated by spaces
+  (cd "$root" && cmake --preset release "${with_cuda[@]}" ${GYRO_CMAKE_OPTIONS-}) >&2
 elif cuda_is_open && { [ ${#with_cuda[@]} -gt 0 ] || [ "$found" != "$(cat "$build/.cuda" 2>/dev/null)" ]; }; then
   cmake -UCMAKE_CUDA_COMPILER "${with_cuda[@]}" "$build" >&2  # a compiler or a device appeared
 fi

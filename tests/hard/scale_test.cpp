@@ -37,48 +37,69 @@ std::string refusal(const std::vector<NewRock>& spheres) {
   return {};
 }
 
-/// Time of a rebuild of the lists for each listed pair [s], in a cubic packing of spheres with radii from `small` to
-/// `large`; each size class fills the same share of the space.
-double seconds_per_pair(double small, double large, std::size_t count, double& pairs) {
-  Scene scene = plain_scene(1e-9);
-  scene.neighbour_skin = 1e-4;
-  std::vector<NewRock> spheres;
-  // Cubic lattices of the size classes side by side: spheres have neighbours of their class and of the next.
-  const int classes = large > small ? 4 : 1;
-  double offset = 0;
-  ParticleId id = 0;
-  for (int c = 0; c < classes; ++c) {
-    const double r = small * std::pow(large / small, classes > 1 ? static_cast<double>(c) / (classes - 1) : 0);
-    const double share = static_cast<double>(count) / std::pow(4.0, c);
-    const int n = std::max(2, static_cast<int>(std::cbrt(share)));
-    for (int k = 0; k < n * n * n; ++k) {
-      const Vec3d at{k % n + 0.5, (k / n) % n + 0.5, k / (n * n) + 0.5};
-      spheres.push_back(sphere(id++, Vec3d{offset, 0, 0} + 2 * r * at, {0, 0, 0}, r, 2600));
+/// Measures rebuilds of the lists in a cubic packing of spheres with radii from `small` to `large`, on one thread; each
+/// size class fills the same share of the space.
+class SearchTime {
+ public:
+  SearchTime(double small, double large, std::size_t count) {
+    Scene scene = plain_scene(1e-9);
+    scene.neighbour_skin = 1e-4;
+    std::vector<NewRock> spheres;
+    // Cubic lattices of the size classes side by side: spheres have neighbours of their class and of the next.
+    const int classes = large > small ? 4 : 1;
+    double offset = 0;
+    ParticleId id = 0;
+    for (int c = 0; c < classes; ++c) {
+      const double r = small * std::pow(large / small, classes > 1 ? static_cast<double>(c) / (classes - 1) : 0);
+      const double share = static_cast<double>(count) / std::pow(4.0, c);
+      const int n = std::max(2, static_cast<int>(std::cbrt(share)));
+      for (int k = 0; k < n * n * n; ++k) {
+        const Vec3d at{k % n + 0.5, (k / n) % n + 0.5, k / (n * n) + 0.5};
+        spheres.push_back(sphere(id++, Vec3d{offset, 0, 0} + 2 * r * at, {0, 0, 0}, r, 2600));
+      }
+      offset += 2 * r * n;
+      // Pairs of touching neighbours in a lattice; those across lattices are few.
+      pairs_ += 3.0 * n * n * (n - 1);
     }
-    offset += 2 * r * n;
+    dem_ = make_cpu_dem(scene, Precision::mixed, 1);
+    dem_->insert(spheres);
   }
-  const auto dem = make_cpu_dem(scene, Precision::mixed, 1);
-  double best = 1e300;
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    if (repeat == 0) dem->insert(spheres);
-    if (repeat > 0) dem->insert({});  // makes the lists stale
-    const auto seconds = [&] {
-      double sum = 0;
-      for (const auto& [phase, s] : dem->phase_seconds())
-        if (phase == "count pairs" || phase == "find pairs") sum += s;
-      return sum;
-    };
+
+  void rebuild() {
+    if (step_ > 0) dem_->insert({});  // makes the lists stale
     const double before = seconds();
-    dem->advance({repeat, 1, scene.dt}, {});
-    best = std::min(best, seconds() - before);
+    dem_->advance({step_++, 1, 1e-9}, {});
+    best_ = std::min(best_, seconds() - before);
   }
-  // Pairs of touching neighbours: 3 n2 (n - 1) in a lattice; those across lattices are few.
-  pairs = 0;
-  for (int c = 0; c < classes; ++c) {
-    const int n = std::max(2, static_cast<int>(std::cbrt(static_cast<double>(count) / std::pow(4.0, c))));
-    pairs += 3.0 * n * n * (n - 1);
+
+  /// Shortest time of a rebuild so far for each listed pair [s].
+  double per_pair() const { return best_ / pairs_; }
+  double pairs() const { return pairs_; }
+
+ private:
+  double seconds() const {
+    double sum = 0;
+    for (const auto& [phase, s] : dem_->phase_seconds())
+      if (phase == "count pairs" || phase == "find pairs") sum += s;
+    return sum;
   }
-  return best / pairs;
+
+  std::unique_ptr<Dem> dem_;
+  double pairs_ = 0, best_ = 1e300;
+  std::int64_t step_ = 0;
+};
+
+/// Runs `a` and `b` in turn until the shortest time of `b` is less than `factor` times that of `a`, at most 200 times.
+/// On a machine that is busy with other work single times are several times too long; a search that really
+/// takes longer never meets the bound.
+template <class A, class B>
+std::pair<double, double> shortest_times(A a, B b, double factor) {
+  double best_a = 1e300, best_b = 1e300;
+  for (int round = 0; round < 5 || (round < 200 && best_b >= factor * best_a); ++round) {
+    best_a = std::min(best_a, a());
+    best_b = std::min(best_b, b());
+  }
+  return {best_a, best_b};
 }
 
 }  // namespace
@@ -103,7 +124,7 @@ TEST_CASE("H27 three hundred thousand spheres in the space of one cell end in a 
 }
 
 TEST_CASE("H27 outliers a kilometre away cost a bed neither time nor memory", "[hard]") {
-  const auto seconds = [](bool outliers) {
+  const auto rebuild_and_step = [](bool outliers) {
     Scene scene = plain_scene(1e-7);
     std::vector<NewRock> spheres = cloud({{40, 40, 40}, 0.0205, 0.01, 0.1});
     if (outliers)
@@ -111,18 +132,16 @@ TEST_CASE("H27 outliers a kilometre away cost a bed neither time nor memory", "[
         spheres.push_back(sphere(static_cast<ParticleId>(100'000 + k),
                                  1000.0 * Vec3d{k % 2 ? 1.0 : -1.0, k / 2 % 2 ? 1.0 : -0.7, k / 4 ? 0.3 : -1.0},
                                  {0, 0, 0}, k == 3 ? 0.3 : 0.01, 2600));
-    const auto dem = make_cpu_dem(scene, Precision::mixed, 1);
+    std::shared_ptr<Dem> dem = make_cpu_dem(scene, Precision::mixed, 1);
     dem->insert(spheres);
-    double best = 1e300;
-    for (int repeat = 0; repeat < 5; ++repeat) {
+    return [dem, dt = scene.dt, step = std::int64_t{0}]() mutable {
       dem->insert({});
       const double begin = now();
-      dem->advance({repeat, 1, scene.dt}, {});
-      best = std::min(best, now() - begin);
-    }
-    return best;
+      dem->advance({step++, 1, dt}, {});
+      return now() - begin;
+    };
   };
-  const double alone = seconds(false), with = seconds(true);
+  const auto [alone, with] = shortest_times(rebuild_and_step(false), rebuild_and_step(true), 3);
   INFO("rebuild and step " << alone << " s, with outliers " << with << " s");
   CHECK(with < 3 * alone);
 }
@@ -151,12 +170,12 @@ TEST_CASE("H27 H30 one sphere without a finite position neither slows the search
 }
 
 TEST_CASE("H28 the search takes as long for each pair of sizes of 1:60 as for one size", "[hard]") {
-  double pairs_one = 0, pairs_mixed = 0;
-  const double one = seconds_per_pair(0.0042, 0.0042, 30'000, pairs_one),
-               mixed = seconds_per_pair(0.0042, 0.25, 30'000, pairs_mixed);
-  INFO("one size " << one * 1e9 << " ns for each of " << pairs_one << " pairs, 1:60 " << mixed * 1e9
-                   << " ns for each of " << pairs_mixed);
-  CHECK(mixed < 2 * one);
+  SearchTime one(0.0042, 0.0042, 30'000), mixed(0.0042, 0.25, 30'000);
+  const auto per_pair = [](SearchTime& search) { return [&] { return search.rebuild(), search.per_pair(); }; };
+  const auto [a, b] = shortest_times(per_pair(one), per_pair(mixed), 2);
+  INFO("one size " << a * 1e9 << " ns for each of " << one.pairs() << " pairs, 1:60 " << b * 1e9 << " ns for each of "
+                   << mixed.pairs());
+  CHECK(b < 2 * a);
 }
 
 TEST_CASE("H29 lists are rebuilt when spheres or walls have moved too far", "[hard]") {
