@@ -3,9 +3,14 @@
 #include "app/commands/commands.hpp"
 #include "core/base/errors.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 namespace {
 
@@ -33,6 +38,10 @@ int guarded(const std::function<int()>& command) {
   } catch (const std::bad_alloc&) {
     std::cerr << "out of memory; reduce the particle count (see gyrosim check)\n";
     return exit_no_device;
+  } catch (const std::system_error& e) {
+    if (e.code() != std::errc::resource_unavailable_try_again) throw;
+    std::cerr << "the system starts no more threads for this user; give fewer with --threads\n";
+    return exit_no_device;
   } catch (const std::exception& e) {
     std::cerr << "internal error: " << e.what() << "\n";
     return exit_internal;
@@ -41,7 +50,15 @@ int guarded(const std::function<int()>& command) {
 
 }  // namespace
 
+/// A caller may have closed standard input, output or error: then the next file that is opened would get its number,
+/// and messages would be written into that file.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::abort();
+}
+
 int main(int argc, char** argv) {
+  open_standard_streams();
   const CommandLine line = parse_command_line(argc, argv);
   return line.command ? guarded(line.command) : line.exit_code;
 }

@@ -7,7 +7,7 @@ set -euo pipefail
 
 packages=(build-essential cmake ninja-build python3
           libeigen3-dev libsundials-dev libyaml-cpp-dev libcli11-dev libspdlog-dev
-          libzip-dev libpugixml-dev libhdf5-dev libvtk9-dev libcgal-dev catch2 nlohmann-json3-dev "$@")
+          libzip-dev libpugixml-dev libhdf5-dev libvtk9-dev libcgal-dev catch2 nlohmann-json3-dev libxxhash-dev "$@")
 
 say() { echo "setup: $*" >&2; }
 

@@ -132,6 +132,9 @@ int check_command(const CaseArguments& arguments) {
     report.problems.push_back(problem_at(arguments.file, arguments.set, key, problem));
   };
   if (report.loaded) {
+    if (report.loaded->drivetrain_fmu)
+      std::cerr << "starts the native code of " << report.loaded->drivetrain_fmu->file.string()
+                << ", in a process of its own with your rights, to see whether it can be initialised\n";
     try {
       assembly.emplace(assemble(*report.loaded));
       found.emplace(estimate(*report.loaded, *assembly));

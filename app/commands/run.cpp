@@ -39,11 +39,12 @@ int exit_code(RunStatus status) {
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  catch_stop_signals();
+  catch_stop_signals(exit_interrupted);
   const std::optional<Case> input = load_or_complain(arguments.input);
   if (!input) return exit_bad_input;
   RunOptions options;
-  options.directory = {arguments.out, arguments.input.file.stem().string(), arguments.resume, arguments.overwrite};
+  options.directory = {arguments.out, arguments.input.file.stem().string(), arguments.resume, arguments.overwrite, {}};
+  options.directory.lock = lock_run_directory(arguments.out);
   options.end = arguments.until.value_or(input->time.duration);
   options.max_walltime = arguments.max_walltime;
   options.quiet = arguments.quiet;
@@ -55,7 +56,10 @@ int run_command(const RunArguments& arguments) {
     options.device = choose_device(arguments.device, arguments.threads);
     run.emplace(*input, options, saved ? &*saved : nullptr);
   });
-  return exit_code(run->run());
+  const RunStatus status = run->run();
+  if (status == RunStatus::interrupted && !arguments.quiet)
+    std::cerr << "continue it with the same command and --out " << run->directory().string() << " --resume\n";
+  return exit_code(status);
 }
 
 }  // namespace gyro

@@ -53,6 +53,7 @@ CaseRecord CaseRun::record() const {
 }
 
 RunStatus CaseRun::run() {
+  stop_after_window();
   log_.started(options_.device, assembly_.step, *simulation_);
   if (input_.drivetrain_fmu) log_.drive_fmu(*input_.drivetrain_fmu, simulation_->unsaveable());
   if (resumed_) mark_unfinished();
@@ -82,7 +83,7 @@ void CaseRun::guarded_loop(Summary& summary) {
 
 void CaseRun::loop(Summary& summary) {
   Simulation& simulation = *simulation_;
-  Progress progress(simulation.time(), options_.end, ProgressStyle::for_stderr(options_.quiet));
+  Progress progress(progress_state(), options_.end, ProgressStyle::for_stderr(options_.quiet));
   if (!resumed_) output_.begin(simulation);
   checkpoints_.keep_if_due(simulation, output_);
   summary.status = RunStatus::done;

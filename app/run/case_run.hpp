@@ -36,6 +36,7 @@ class CaseRun {
 
   /// Runs to the end, a stop of the guard or a request to stop, and writes everything.
   RunStatus run();
+  const std::filesystem::path& directory() const { return directory_.path; }
 
  private:
   std::unique_ptr<Simulation> simulation_of(const SavedState* saved) const;

@@ -33,10 +33,10 @@ void RunLog::started(const Device& device, const StepChoice& step, const Simulat
   const Counts counts = simulation.dem().counts();
   char line[400];
   std::snprintf(line, sizeof line,
-                "gyrosim %s (%s), %s, %d threads, step %.4g us (limit %.4g us: %s), %lld particles, %lld bonds",
-                version::number, version::git, device.name.c_str(), device.threads, step.dt * 1e6, step.limit * 1e6,
-                step.limited_by.c_str(), static_cast<long long>(counts.particles),
-                static_cast<long long>(counts.bonds_intact));
+                "gyrosim %s (%s), %s, %d %s, step %.4g us (limit %.4g us: %s), %lld particles, %lld bonds",
+                version::number, version::git, device.name.c_str(), device.threads,
+                device.threads == 1 ? "thread" : "threads", step.dt * 1e6, step.limit * 1e6, step.limited_by.c_str(),
+                static_cast<long long>(counts.particles), static_cast<long long>(counts.bonds_intact));
   log_.info(line);
   if (!quiet_) std::cerr << line << "\nresults in " << directory_.string() << "\n";
 }
@@ -44,7 +44,7 @@ void RunLog::started(const Device& device, const StepChoice& step, const Simulat
 void RunLog::drive_fmu(const DriveFmu& fmu, const std::string& unsaveable) {
   log_.warning("the drivetrain is native code of " + fmu.file.string() + " (" + fmu.model_name +
                (fmu.generation_tool.empty() ? "" : ", " + fmu.generation_tool) +
-               "), which runs with the rights of this program");
+               "), which runs in a process of its own with your rights");
   if (fmu.needs_tool) log_.warning(fmu.file.filename().string() + " declares that it needs another program to run");
   if (!unsaveable.empty())
     log_.warning("this run has no checkpoints: " + unsaveable + "; --resume starts it at its beginning");

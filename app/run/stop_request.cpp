@@ -4,24 +4,51 @@
 #include <unistd.h>
 #include <csignal>
 #include <initializer_list>
+#include <string_view>
 
 namespace gyro {
 namespace {
 
 volatile std::sig_atomic_t signals_seen = 0;
+volatile std::sig_atomic_t exit_code_while_loading = 0;  ///< 0: the loop runs, which looks at signals_seen
+
+void say(std::string_view text) {
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
 
 extern "C" void on_signal(int signal) {
+  if (exit_code_while_loading != 0) {
+    say("\nstopped while the case was loaded\n");
+    _exit(exit_code_while_loading);
+  }
   if (signal == SIGINT && signals_seen > 0) _exit(130);
+  if (signals_seen == 0)
+    say(signal == SIGINT ? "\nfinishing this window and writing a checkpoint; Ctrl-C again stops at once\n"
+                         : "\nfinishing this window and writing a checkpoint\n");
   signals_seen = signals_seen + 1;
 }
 
 }  // namespace
 
-void catch_stop_signals() {
+void catch_stop_signals(int exit_code) {
+  exit_code_while_loading = exit_code;
   struct sigaction action = {};
   action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGXCPU}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    // Ignored already: `nohup`, or a shell's background job, which Ctrl-C does not concern.
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
+  // Then a write fails with a reason, which is reported when everything else is in place.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void stop_after_window() {
+  exit_code_while_loading = 0;
 }
 
 bool stop_requested() {

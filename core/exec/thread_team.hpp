@@ -17,15 +17,17 @@ namespace gyro {
 class ThreadTeam {
  public:
   /// @param threads  at least 1, the caller's among them
+  /// @throws std::system_error when the system starts no more threads
   explicit ThreadTeam(int threads) : threads_(threads) {
     GYRO_EXPECT(threads >= 1);
-    for (int t = 1; t < threads_; ++t) workers_.emplace_back([this, t] { serve(t); });
+    try {
+      for (int t = 1; t < threads_; ++t) workers_.emplace_back([this, t] { serve(t); });
+    } catch (...) {
+      dismiss();
+      throw;
+    }
   }
-  ~ThreadTeam() {
-    stop_ = true;
-    issue();
-    for (std::thread& w : workers_) w.join();
-  }
+  ~ThreadTeam() { dismiss(); }
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
@@ -51,6 +53,12 @@ class ThreadTeam {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
 #endif
+  }
+
+  void dismiss() {
+    stop_ = true;
+    issue();
+    for (std::thread& w : workers_) w.join();
   }
 
   void issue() {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/parts.hpp"
+#include "io/files/digest.hpp"
 
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 // Whether a run may continue with a case: the case of its checkpoint against the case asked for now.
@@ -37,15 +35,6 @@ std::map<std::string, std::string> values_of(const std::string& resolved) {
   return values;
 }
 
-/// FNV-1a, 64 bits, of a file's bytes.
-std::uint64_t digest_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (auto byte = std::istreambuf_iterator<char>(stream); byte != std::istreambuf_iterator<char>(); ++byte)
-    hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3;
-  return hash;
-}
-
 }  // namespace
 
 std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other) {
@@ -64,11 +53,7 @@ std::string input_digests(const Setting& setting) {
   std::string lines;
   const KeyType type = setting.key ? setting.key->type : KeyType::section;
   if (type == KeyType::file || type == KeyType::files)
-    for (const std::string& file : setting.texts) {
-      char digest[24];
-      std::snprintf(digest, sizeof digest, "%016llx ", static_cast<unsigned long long>(digest_of(file)));
-      lines += digest + file + "\n";
-    }
+    for (const std::string& file : setting.texts) lines += digest_of_file(file) + " " + file + "\n";
   for (const Setting& child : setting.children) lines += input_digests(child);
   return lines;
 }

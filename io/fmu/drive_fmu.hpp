@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/fmu/model_description.hpp"
-#include "mbd/fmi/fmu_drive.hpp"
+#include "mbd/fmi/fmu_process.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -47,7 +47,10 @@ DriveFmu unconnected(const std::filesystem::path& file, const ModelDescription& 
 /// A parameter and its start value. @throws BadInput when it does not exist or cannot have this value
 FmuStart start_of(const ModelDescription& model, const std::string& name, double value);
 
-/// Unpacks an FMU, loads its library, which is native code, and initialises it. @throws BadInput, OutputError
-std::unique_ptr<Drive> open_drive(const DriveFmu& fmu);
+/// Unpacks an FMU, loads its library, which is native code, in a process of its own, and initialises it.
+/// @param patience  how long one call may take
+/// @throws BadInput, OutputError
+std::unique_ptr<Drive> open_drive(const DriveFmu& fmu,
+                                  std::chrono::milliseconds patience = FmuProcess::default_patience);
 
 }  // namespace gyro

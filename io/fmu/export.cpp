@@ -2,6 +2,7 @@
 #include "io/fmu/export.hpp"
 
 #include "core/base/errors.hpp"
+#include "io/files/digest.hpp"
 #include "io/fmu/archive.hpp"
 #include "io/fmu/model_description.hpp"
 #include "mbd/fmi/drive_slave.hpp"
@@ -16,20 +17,11 @@ namespace {
 
 constexpr const char* identifier = "gyro_drivetrain";
 
-/// FNV-1a, 64 bits.
-std::uint64_t digest(std::uint64_t hash, const std::string& text) {
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return hash;
-}
-
 /// In the form of a GUID, from all that makes the FMU behave as it does.
 std::string guid_of(const std::string& content) {
-  const std::uint64_t a = digest(0xcbf29ce484222325, content), b = digest(a, content);
-  char text[48];
-  std::snprintf(text, sizeof text, "{%08x-%04x-%04x-%04x-%012llx}", static_cast<unsigned>(a >> 32),
-                static_cast<unsigned>(a >> 16 & 0xffff), static_cast<unsigned>(a & 0xffff),
-                static_cast<unsigned>(b >> 48), static_cast<unsigned long long>(b & 0xffffffffffff));
-  return text;
+  std::string text = digest_of(content);
+  for (const std::size_t dash : {20, 16, 12, 8}) text.insert(dash, "-");
+  return "{" + text + "}";
 }
 
 std::string library_of(const std::filesystem::path& file) {

@@ -48,22 +48,23 @@ ModelDescription read_fmu(const std::filesystem::path& file) {
   }
 }
 
-std::unique_ptr<Drive> open_drive(const DriveFmu& fmu) {
+std::unique_ptr<Drive> open_drive(const DriveFmu& fmu, std::chrono::milliseconds patience) {
   const auto folder = std::make_shared<TemporaryFolder>();
   const Archive archive(fmu.file);
   archive.unpack(platform, folder->path());
   archive.unpack("resources/", folder->path());
   try {
-    return std::make_unique<FmuDrive>(FmuSetup{.library = folder->path() / library_in_archive(fmu.identifier),
-                                               .name = fmu.file.filename().string(),
-                                               .guid = fmu.guid,
-                                               .resources = uri_of(folder->path() / "resources"),
-                                               .state = fmu.state,
-                                               .serialisation = fmu.serialisation,
-                                               .links = fmu.links,
-                                               .history = fmu.history,
-                                               .starts = fmu.starts,
-                                               .files = folder});
+    return std::make_unique<FmuProcess>(FmuSetup{.library = folder->path() / library_in_archive(fmu.identifier),
+                                                 .name = fmu.file.filename().string(),
+                                                 .guid = fmu.guid,
+                                                 .resources = uri_of(folder->path() / "resources"),
+                                                 .state = fmu.state,
+                                                 .serialisation = fmu.serialisation,
+                                                 .links = fmu.links,
+                                                 .history = fmu.history,
+                                                 .starts = fmu.starts,
+                                                 .files = folder},
+                                        patience);
   } catch (const BadInput& problem) {
     throw BadInput(fmu.file.string() + ": " + problem.what() + "; give an FMI 2.0 co-simulation FMU that starts");
   }

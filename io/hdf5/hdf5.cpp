@@ -74,6 +74,9 @@ File File::create(const std::filesystem::path& path) {
 File File::open(const std::filesystem::path& path) {
   silence_library();
   const Handle access = access_properties(path.string());
+  // A writer may be between two parts of a change: the library looks again, 100 times unless told. What is damaged is
+  // refused after 10 looks.
+  check(H5Pset_metadata_read_attempts(access.get(), 10), path.string(), "prepare");
   const hid_t live = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
   if (live >= 0) return {Handle(live), path.string()};
   // Files of older formats, which others may have written, know no live reading.
@@ -86,16 +89,17 @@ File File::open_closed(const std::filesystem::path& path) {
   return {own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path.string(), "open the file"), path.string()};
 }
 
-File File::modify(const std::filesystem::path& path) {
+File File::modify(const std::filesystem::path& path, const std::filesystem::path& name) {
+  const std::string shown = name.empty() ? path.string() : name.string();
   silence_library();
   // What `h5clear -s --increment=0` does: a writer that was killed has left the mark "open for
   // writing" and an outdated end of file behind.
-  const Handle access = access_properties(path.string());
+  const Handle access = access_properties(shown);
   const hbool_t yes = true;
-  check(H5Pset(access.get(), "clear_status_flags", &yes), path.string(), "prepare");
-  check(H5Pset(access.get(), "skip_eof_check", &yes), path.string(), "prepare");
-  File file(own(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), path.string(), "open the file"), path.string());
-  check(H5Fincrement_filesize(file.handle_.get(), 0), path.string(), "repair the file");
+  check(H5Pset(access.get(), "clear_status_flags", &yes), shown, "prepare");
+  check(H5Pset(access.get(), "skip_eof_check", &yes), shown, "prepare");
+  File file(own(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), shown, "open the file"), shown);
+  check(H5Fincrement_filesize(file.handle_.get(), 0), shown, "repair the file");
   return file;
 }
 
@@ -123,7 +127,6 @@ Dataset File::create_dataset(std::string_view name, const Layout& layout) {
     check(H5Pset_shuffle(creation.get()), where(name), "set compression");
     check(H5Pset_deflate(creation.get(), static_cast<unsigned>(layout.deflate)), where(name), "set compression");
   }
-  if (layout.checksum) check(H5Pset_fletcher32(creation.get()), where(name), "set a checksum");
   return {make_dataset(handle_, std::string(name), where(name), file_type(layout.number), space, creation),
           where(name)};
 }

@@ -84,9 +84,8 @@ struct Layout {
   Number number = Number::float64;
   std::int64_t columns = 1;
   std::int64_t chunk_rows = 1024;
-  int deflate = 0;        ///< 0: none. Only for data appended in whole chunks: a compressed chunk that is
-                          ///< rewritten moves, which bloats the file and breaks it if the writer is killed
-  bool checksum = false;  ///< of every chunk (Fletcher 32): what was damaged cannot be read
+  int deflate = 0;  ///< 0: none. Only for data appended in whole chunks: a compressed chunk that is
+                    ///< rewritten moves, which bloats the file and breaks it if the writer is killed
 };
 
 /// One HDF5 file. Names are paths inside it ("/series/time"); missing groups are made on the way.
@@ -100,7 +99,8 @@ class File {
   /// and again, in case a writer had just not finished.
   static File open_closed(const std::filesystem::path& path);
   /// Opens a closed file, or one whose writer was killed, to change it.
-  static File modify(const std::filesystem::path& path);
+  /// @param name  for messages, of a copy that is going to take the place of another file; empty: the path
+  static File modify(const std::filesystem::path& path, const std::filesystem::path& name = {});
 
   void create_group(std::string_view name);
   Dataset create_dataset(std::string_view name, const Layout& layout);

@@ -2,7 +2,7 @@
 #include "io/rocks/library_cache.hpp"
 
 #include "core/rocks/recipe.hpp"
-#include "io/rocks/digest.hpp"
+#include "io/files/digest.hpp"
 #include "io/rocks/library_file.hpp"
 
 #include <unistd.h>
@@ -19,27 +19,7 @@ namespace fs = std::filesystem;
 
 /// The recipe itself is in the file, too: two recipes of one digest do not share a library.
 fs::path cache_file(const fs::path& folder, const std::string& recipe) {
-  return folder / ("rocks-" + fnv1a_128(recipe) + ".h5");
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Appends the digest of a file's content to it. HDF5 ignores what stands behind its data.
-void seal(const fs::path& file) {
-  const std::string digest = fnv1a_128(bytes_of(file));
-  std::ofstream(file, std::ios::binary | std::ios::app) << digest;
-}
-
-/// Whether a file ends with the digest of what stands before. The HDF5 library can crash on damaged files, so that none
-/// is opened with it.
-bool is_sealed(const fs::path& file) {
-  const std::string bytes = bytes_of(file);
-  const std::size_t length = fnv1a_128({}).size();
-  if (bytes.size() < length) return false;
-  return fnv1a_128(bytes.substr(0, bytes.size() - length)) == bytes.substr(bytes.size() - length);
+  return folder / ("rocks-" + digest_of(recipe) + ".h5");
 }
 
 }  // namespace
@@ -69,7 +49,6 @@ fs::path default_cache_folder() {
 std::optional<RockLibrary> read_cached(const fs::path& folder, const std::string& recipe) {
   try {
     const fs::path file = cache_file(folder, recipe);
-    if (!is_sealed(file)) return {};
     StoredLibrary stored = read_library(file);
     if (stored.recipe != recipe) return {};
     stored.library.from_cache = true;
@@ -88,7 +67,6 @@ void write_cached(const fs::path& folder, const std::string& recipe, const RockL
   part += std::to_string(::getpid());
   try {
     write_library(library, part, recipe);
-    seal(part);
     fs::rename(part, file);
   } catch (const std::exception&) {
     fs::remove(part, ignored);

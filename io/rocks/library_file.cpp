@@ -2,8 +2,8 @@
 #include "io/rocks/library_file.hpp"
 
 #include "core/base/errors.hpp"
+#include "io/files/seal.hpp"
 #include "io/hdf5/hdf5.hpp"
-#include "io/rocks/digest.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -45,24 +45,11 @@ std::vector<std::string> groups_of(const std::vector<std::string>& names) {
   return groups;
 }
 
-/// HDF5 keeps no checksum of strings, so the file has this one.
-std::string digest_of(const std::string& recipe, const std::vector<std::string>& names,
-                      const std::vector<std::string>& notes) {
-  std::string all = recipe;
-  for (const auto* texts : {&names, &notes}) {
-    for (const std::string& text : *texts) all += '\0' + text;
-    all += '\0';
-  }
-  return fnv1a_128(all);
-}
-
 template <class T>
 void write_table(hdf5::File& file, const std::string& name, const std::vector<T>& numbers, std::int64_t columns) {
   const auto rows = static_cast<std::int64_t>(numbers.size()) / columns;
-  file.create_dataset(name, {.number = hdf5::number_of<T>(),
-                             .columns = columns,
-                             .chunk_rows = std::max(rows, std::int64_t{1}),
-                             .checksum = true})
+  file.create_dataset(
+          name, {.number = hdf5::number_of<T>(), .columns = columns, .chunk_rows = std::max(rows, std::int64_t{1})})
       .append(numbers.data(), numbers.size(), hdf5::number_of<T>());
 }
 
@@ -133,8 +120,6 @@ StoredLibrary read_all(const hdf5::File& file) {
   stored.recipe = file.read_strings("/recipe").at(0);
   const std::vector<std::string> names = file.read_strings("/names");
   if (file.contains("/notes")) stored.library.notes = file.read_strings("/notes");
-  if (file.string_attribute("/", "digest") != digest_of(stored.recipe, names, stored.library.notes))
-    throw BadInput("its texts do not agree with their digest");
   const std::vector<std::string> groups = groups_of(names);
   for (std::size_t k = 0; k < names.size(); ++k) stored.library.rocks.push_back(read_rock(file, groups[k], names[k]));
   return stored;
@@ -147,16 +132,18 @@ void write_library(const RockLibrary& library, const std::filesystem::path& path
   std::vector<std::string> names;
   for (const RockTemplate& rock : library.rocks) names.push_back(rock.name);
   file.set_attribute("/", "format", format);
-  file.set_attribute("/", "digest", digest_of(recipe, names, library.notes));
   file.write_strings("/recipe", std::vector{recipe});
   file.write_strings("/names", names);
   if (!library.notes.empty()) file.write_strings("/notes", library.notes);
   const std::vector<std::string> groups = groups_of(names);
   for (std::size_t k = 0; k < library.rocks.size(); ++k) write_rock(file, groups[k], library.rocks[k]);
   file.close();
+  seal(path);
 }
 
 StoredLibrary read_library(const std::filesystem::path& path) {
+  if (!is_sealed(path))
+    throw BadInput(path.string() + ": is damaged, no library, or one of an older version of gyrosim");
   std::uint64_t found = 0;
   try {
     const hdf5::File file = hdf5::File::open_closed(path);

@@ -22,7 +22,7 @@ struct StoredLibrary {
   RockLibrary library;
 };
 
-/// Reads what write_library has written, bit for bit. Checksums cover all of the file that is used.
+/// Reads what write_library has written, bit for bit. The digest of all bytes stands behind them.
 /// @throws BadInput if the file is missing or damaged, or of another format
 StoredLibrary read_library(const std::filesystem::path& file);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/rocks/shape_files.hpp"
 
+#include "io/files/digest.hpp"
 #include "io/mesh/mesh_file.hpp"
-#include "io/rocks/digest.hpp"
 
 #include <filesystem>
 
@@ -18,7 +18,7 @@ RockShapes converted(const ShapeFiles& files) {
   GivenShapes given{{}, files.corners};
   for (const std::string& path : files.paths) {
     // The path belongs to the content because the notes name it.
-    given.shapes.push_back({std::filesystem::path(path).stem().string(), path + " " + fnv1a_128(read_bytes(path)),
+    given.shapes.push_back({std::filesystem::path(path).stem().string(), path + " " + digest_of(read_bytes(path)),
                             [path] { return read_solid(path); }});
   }
   return given;

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <numbers>
+#include <string_view>
 
 namespace gyro {
 namespace {
@@ -93,17 +94,18 @@ std::string format_count(double value) {
 
 ProgressStyle ProgressStyle::for_stderr(bool quiet) {
   ProgressStyle style;
-  const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  const char* kind = std::getenv("TERM");
+  const bool terminal = ::isatty(STDERR_FILENO) != 0 && !(kind != nullptr && std::string_view(kind) == "dumb");
   const char* no_colour = std::getenv("NO_COLOR");  // no-color.org: any value that is not empty
   style.form = quiet ? Form::silent : terminal ? Form::live : Form::lines;
   style.colour = terminal && (no_colour == nullptr || *no_colour == '\0');
   return style;
 }
 
-Progress::Progress(double begin, double end, ProgressStyle style)
+Progress::Progress(const ProgressState& begin, double end, ProgressStyle style)
     : Progress(begin, end, style, std::cerr, steady_seconds) {}
 
-Progress::Progress(double begin, double end, ProgressStyle style, std::ostream& out, Clock clock)
+Progress::Progress(const ProgressState& begin, double end, ProgressStyle style, std::ostream& out, Clock clock)
     : begin_(begin),
       end_(end),
       style_(style),
@@ -112,7 +114,12 @@ Progress::Progress(double begin, double end, ProgressStyle style, std::ostream& 
       started_(clock_()),
       shown_at_(started_),
       learnt_at_(started_),
-      learnt_time_(begin) {}
+      learnt_time_(begin.time),
+      learnt_steps_(begin.particle_steps) {}
+
+double Progress::fraction_at(double time) const {
+  return end_ > 0 ? std::clamp(time / end_, 0.0, 1.0) : 1;
+}
 
 bool Progress::is_due(double now, double fraction) const {
   const double since = now - shown_at_;
@@ -125,7 +132,7 @@ bool Progress::is_due(double now, double fraction) const {
 void Progress::update(const ProgressState& state) {
   if (style_.form == ProgressStyle::Form::silent) return;
   const double now = clock_();
-  const double fraction = end_ > begin_ ? (state.time - begin_) / (end_ - begin_) : 1;
+  const double fraction = fraction_at(state.time);
   if (!is_due(now, fraction) || state.time >= end_) return;  // the end is left to finish()
   learn_rates(now, state);
   show(now, state);
@@ -137,8 +144,8 @@ void Progress::finish(const ProgressState& state) {
   const double now = clock_();
   // The last line tells about the whole run, not about its end.
   const double elapsed = now - started_;
-  time_rate_ = elapsed > 0 ? (state.time - begin_) / elapsed : 0;
-  step_rate_ = elapsed > 0 ? static_cast<double>(state.particle_steps) / elapsed : 0;
+  time_rate_ = elapsed > 0 ? (state.time - begin_.time) / elapsed : 0;
+  step_rate_ = elapsed > 0 ? static_cast<double>(state.particle_steps - begin_.particle_steps) / elapsed : 0;
   show(now, state);
   if (style_.form == ProgressStyle::Form::live) out_ << '\n' << std::flush;
 }
@@ -159,7 +166,7 @@ void Progress::learn_rates(double now, const ProgressState& state) {
 }
 
 void Progress::show(double now, const ProgressState& state) {
-  const double fraction = end_ > begin_ ? std::clamp((state.time - begin_) / (end_ - begin_), 0.0, 1.0) : 1;
+  const double fraction = fraction_at(state.time);
   const std::string percent = print("%5.1f %%", 100 * fraction);
   const std::vector<std::string> parts = describe(now, state);
   if (style_.form == ProgressStyle::Form::live) {
@@ -186,7 +193,9 @@ std::vector<std::string> Progress::describe(double now, const ProgressState& sta
   parts.push_back(std::to_string(state.particles) + " particles");
   if (state.bonds_broken) parts.push_back(std::to_string(*state.bonds_broken) + " bonds broken");
   if (state.eccentric_speed) parts.push_back(print("%.1f rpm", *state.eccentric_speed * 30 / std::numbers::pi));
-  if (state.crushing_power) parts.push_back(print("%.1f kW", *state.crushing_power / 1e3));
+  if (state.crushing_power)
+    parts.push_back(*state.crushing_power < 1e3 ? print("%.0f W", *state.crushing_power)
+                                                : print("%.4g kW", *state.crushing_power / 1e3));
   return parts;
 }
 

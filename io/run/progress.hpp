@@ -13,7 +13,7 @@ namespace gyro {
 /// Where a run stands.
 struct ProgressState {
   double time = 0;                  ///< simulated [s]
-  std::int64_t particle_steps = 0;  ///< done by this process
+  std::int64_t particle_steps = 0;  ///< since the start of the run
   std::int64_t particles = 0;
   std::optional<std::int64_t> bonds_broken = {};  ///< none: the scene has no bonds
   std::optional<double> eccentric_speed = {};     ///< [rad/s]; none: no drivetrain
@@ -26,7 +26,7 @@ struct ProgressStyle {
   bool colour = false;
   int width = 0;  ///< of the terminal in characters; 0: ask it whenever a line is drawn
 
-  /// Live on a terminal, plain lines into a pipe or file, silent when `quiet`; colour on a terminal
+  /// Live on a terminal, plain lines into a pipe or file or with TERM=dumb, silent when `quiet`; colour on a terminal
   /// unless NO_COLOR is set.
   static ProgressStyle for_stderr(bool quiet);
 };
@@ -36,9 +36,9 @@ struct ProgressStyle {
 class Progress {
  public:
   using Clock = std::function<double()>;  ///< wall clock [s], any origin
-  /// Progress on standard error.
-  Progress(double begin, double end, ProgressStyle style);
-  Progress(double begin, double end, ProgressStyle style, std::ostream& out, Clock clock);
+  /// Progress on standard error. @param begin  where this process starts  @param end  of the whole run [s]
+  Progress(const ProgressState& begin, double end, ProgressStyle style);
+  Progress(const ProgressState& begin, double end, ProgressStyle style, std::ostream& out, Clock clock);
   void update(const ProgressState& state);
   /// Shows the last state and leaves the cursor on a fresh line.
   void finish(const ProgressState& state);
@@ -49,14 +49,17 @@ class Progress {
   void show(double now, const ProgressState& state);
   std::vector<std::string> describe(double now, const ProgressState& state) const;
 
-  double begin_, end_;
+  double fraction_at(double time) const;  ///< of the whole run
+
+  ProgressState begin_;
+  double end_;
   ProgressStyle style_;
   std::ostream& out_;
   Clock clock_;
   double started_;
   double shown_at_, shown_fraction_ = 0;  ///< of the last line
   double learnt_at_, learnt_time_;        ///< of the last look at the rates
-  std::int64_t learnt_steps_ = 0;
+  std::int64_t learnt_steps_;
   double time_rate_ = 0, step_rate_ = 0;  ///< per second of wall clock, smoothed
 };
 

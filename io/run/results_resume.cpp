@@ -37,9 +37,8 @@ void require_channels(const std::filesystem::path& path, const hdf5::File& file,
 }
 
 /// @throws BadInput unless a file has the groups of a content, with the rows to keep, and no other datasets in them
-void require_rows(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep) {
-  if (!std::filesystem::exists(path)) throw refused(path, "is missing");
-  const hdf5::File file = hdf5::File::open(path);
+void require_rows(const std::filesystem::path& path, const hdf5::File& file, const ResultsContent& content,
+                  const ResultsRows& keep) {
   for (const ResultsGroup& group : content.groups) {
     require_channels(path, file, group, keep);
     for (const std::string& child : file.children(group.name))
@@ -48,39 +47,56 @@ void require_rows(const std::filesystem::path& path, const ResultsContent& conte
   }
 }
 
-/// Drops all rows behind those to keep, in a copy that then takes the file's place.
-void shorten(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep) {
-  const std::filesystem::path part = path.string() + ".tmp";
+/// Drops all rows behind those to keep.
+void shorten(hdf5::File& file, const ResultsContent& content, const ResultsRows& keep) {
+  for (const ResultsGroup& group : content.groups)
+    for (const Channel& channel : group.channels) {
+      hdf5::Dataset dataset = file.dataset(group.name + "/" + channel.name);
+      if (dataset.rows() > keep.at(group.name)) dataset.truncate(keep.at(group.name));
+    }
+}
+
+void copy_results(const std::filesystem::path& path, const std::filesystem::path& copy) {
+  if (!std::filesystem::exists(path)) throw refused(path, "is missing");
+  std::error_code error;
+  std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
+  if (error) throw OutputError(path.string() + ": cannot copy: " + error.message());
+}
+
+/// Opens the copy of a results file to change it. @throws BadInput for a damaged file, or one without the rows to keep
+hdf5::File open_copy(const std::filesystem::path& path, const std::filesystem::path& copy,
+                     const ResultsContent& content, const ResultsRows& keep) {
   try {
-    std::error_code error;
-    std::filesystem::copy_file(path, part, std::filesystem::copy_options::overwrite_existing, error);
-    if (error) throw OutputError(path.string() + ": cannot copy: " + error.message());
-    hdf5::File file = hdf5::File::modify(part);
-    for (const ResultsGroup& group : content.groups)
-      for (const Channel& channel : group.channels) {
-        hdf5::Dataset dataset = file.dataset(group.name + "/" + channel.name);
-        if (dataset.rows() > keep.at(group.name)) dataset.truncate(keep.at(group.name));
-      }
-    write_record(file, content.record);
-    file.close();
-    put_in_place(path);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw;
+    hdf5::File file = hdf5::File::modify(copy, path);
+    require_rows(path, file, content, keep);
+    return file;
+  } catch (const OutputError& problem) {
+    throw refused(path, std::string("is damaged (") + problem.what() + ")");
   }
 }
 
 }  // namespace
 
+// All changes are made to a copy, which takes the file's place when it is ready for new rows: a kill at any moment
+// leaves one file or the other.
 ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep)
     : path_(path), last_flush_(std::chrono::steady_clock::now()) {
-  require_rows(path, content, keep);
-  shorten(path, content, keep);
-  file_ = hdf5::File::modify(path);
-  for (const ResultsGroup& group : content.groups)
-    tables_.emplace(group.name, ResultsTable(*file_, group, keep.at(group.name)));
-  file_->start_appending();
+  const std::filesystem::path copy = path.string() + ".tmp";
+  try {
+    copy_results(path, copy);
+    file_ = open_copy(path, copy, content, keep);
+    shorten(*file_, content, keep);
+    write_record(*file_, content.record);
+    for (const ResultsGroup& group : content.groups)
+      tables_.emplace(group.name, ResultsTable(*file_, group, keep.at(group.name)));
+    file_->start_appending();
+    put_in_place(path);
+  } catch (...) {
+    abandon();
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+    throw;
+  }
 }
 
 }  // namespace gyro

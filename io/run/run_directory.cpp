@@ -5,6 +5,8 @@
 #include "io/run/replace_file.hpp"
 #include "io/run/summary.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -98,7 +100,8 @@ RunDirectory next_in_runs(const std::string& case_name) {
     std::snprintf(number.data(), number.size(), "-%03d", next);
     const fs::path path = runs / (case_name + number.data());
     std::error_code error;
-    if (fs::create_directory(path, error)) return {path, RunDirectory::State::fresh, 0};
+    if (fs::create_directory(path, error))
+      return {path, RunDirectory::State::fresh, 0, std::make_shared<RunLock>(path)};
     if (error) fail(path, "make the directory", error);
   }
 }
@@ -120,13 +123,16 @@ RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
   return {path, RunDirectory::State::half_done, earlier.simulated_seconds};
 }
 
-RunDirectory open_named(const fs::path& path, bool resume, bool overwrite) {
-  const RunDirectory found = find_named(path, resume, overwrite);
+RunDirectory open_named(const fs::path& path, const RunDirectoryRequest& request) {
+  RunDirectory found = find_named(path, request.resume, request.overwrite);
   // A finished run may lie in an archive that nobody may write.
-  if (found.state == RunDirectory::State::finished) return found;
+  if (found.state == RunDirectory::State::finished && !request.lock) return found;
   make_directory(path);
+  found.lock = request.lock ? request.lock : std::make_shared<RunLock>(path);
+  if (find_named(path, request.resume, request.overwrite).state != found.state)
+    throw BadInput(path.string() + ": another run has begun or ended here meanwhile; repeat the command");
   prove_writable(path);
-  if (overwrite) remove_run(path);
+  if (request.overwrite) remove_run(path);
   return found;
 }
 
@@ -140,6 +146,13 @@ void check_request(const RunDirectoryRequest& request) {
 
 }  // namespace
 
+std::shared_ptr<RunLock> lock_run_directory(const std::optional<fs::path>& out) {
+  std::error_code error;
+  if (!out || !fs::is_directory(*out, error) || !has_any(*out, marks)) return {};
+  if (::access(out->c_str(), W_OK) != 0) return {};
+  return std::make_shared<RunLock>(*out);
+}
+
 RunDirectory find_run_directory(const RunDirectoryRequest& request) {
   check_request(request);
   try {
@@ -152,7 +165,7 @@ RunDirectory find_run_directory(const RunDirectoryRequest& request) {
 RunDirectory open_run_directory(const RunDirectoryRequest& request) {
   check_request(request);
   try {
-    return request.out ? open_named(*request.out, request.resume, request.overwrite) : next_in_runs(request.case_name);
+    return request.out ? open_named(*request.out, request) : next_in_runs(request.case_name);
   } catch (const fs::filesystem_error& error) {
     throw OutputError(error.what());
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/run/state_file.hpp"
 
+#include "io/files/seal.hpp"
 #include "io/hdf5/hdf5.hpp"
 #include "io/run/replace_file.hpp"
 
@@ -22,8 +23,7 @@ void write_column(hdf5::File& file, const std::string& name, const SavedColumn& 
             "/" + name, {.number = hdf5::number_of<Number>(),
                          .columns = static_cast<std::int64_t>(column.width),
                          .chunk_rows = static_cast<std::int64_t>(
-                             std::clamp(rows, std::size_t{1}, std::max(std::size_t{1}, chunk_bytes / row_bytes))),
-                         .checksum = true});
+                             std::clamp(rows, std::size_t{1}, std::max(std::size_t{1}, chunk_bytes / row_bytes)))});
         dataset.append(numbers.data(), numbers.size(), hdf5::number_of<Number>());
       },
       column.numbers);
@@ -78,6 +78,7 @@ void write_state(const fs::path& path, const SavedState& state) {
     file.set_attribute("/", "format", state_format);
     for (const auto& [name, column] : state.columns()) write_column(file, name, column);
     file.close();
+    seal(part);
     put_in_place(path);
   } catch (...) {
     std::error_code ignored;
@@ -88,6 +89,10 @@ void write_state(const fs::path& path, const SavedState& state) {
 
 SavedState read_state(const fs::path& path) {
   if (!fs::exists(path)) refuse(path, "there is no such checkpoint; give the directory of a run that wrote one");
+  if (!is_sealed(path))
+    refuse(path,
+           "is damaged, no checkpoint, or one of an older version of gyrosim; restore the file, or use --overwrite to "
+           "start the run again");
   std::uint64_t format = 0;
   try {
     const hdf5::File file = hdf5::File::open_closed(path);

@@ -68,7 +68,7 @@ TEST_CASE("The time of --until is reached, whatever the windows, in any unit and
 }
 
 TEST_CASE("A signal ends a run at its window, files closed, exit code 75, the next call asks what to do") {
-  const std::string signal = GENERATE(as<std::string>{}, "TERM", "INT", "USR1");
+  const std::string signal = GENERATE(as<std::string>{}, "TERM", "INT", "USR1", "HUP", "XCPU");
   const Workplace place;
   CHECK(place.gyrosim_with_signal("run " + endless + " --out r --quiet", signal, 1).code == 75);
   const nlohmann::json summary = summary_of(place.path() / "r");
@@ -85,6 +85,42 @@ TEST_CASE("A signal ends a run at its window, files closed, exit code 75, the ne
   CHECK(again.err.find("--overwrite") != std::string::npos);
   CHECK(contents(place.path()) == before);
   CHECK(place.gyrosim("run " + box + " --out r --overwrite --until '1 ms'").code == 0);
+}
+
+TEST_CASE("A signal that the caller ignores is ignored") {
+  const Workplace place;
+  place.write("nohup.sh", "trap '' HUP\n\"$@\" & sleep 0.5; kill -HUP $!; wait $!\n");
+  CHECK(place.shell("sh nohup.sh $GYROSIM run " + endless + " --out r --quiet --max-walltime '1.5 s'").code == 75);
+  CHECK(summary_of(place.path() / "r")["reason"] == "--max-walltime is over");
+}
+
+TEST_CASE("Closed standard streams harm no file of a run") {
+  const Workplace place;
+  CHECK(place.shell("$GYROSIM run " + box + " --out r --until '5 ms' <&- >&- 2>&-").code == 0);
+  CHECK(result_of(place.path() / "r", "series/time").back() == Approx(5e-3));
+}
+
+TEST_CASE("A second run on a directory is refused and leaves the first alone, also with --resume or --overwrite") {
+  const Workplace place;
+  const std::string second = GENERATE(as<std::string>{}, "", "--resume", "--overwrite");
+  place.write("two.sh", "$GYROSIM run " + endless +
+                            " --out r --quiet --max-walltime '2 s' & first=$!\n"
+                            "while ! [ -s r/case.yaml ]; do sleep 0.02; done\n"
+                            "$GYROSIM run " +
+                            endless + " --out r " + second +
+                            "; echo second $?\n"
+                            "wait $first; echo first $?\n");
+  const Outcome outcome = place.shell("sh two.sh");
+  CHECK(outcome.out == "second 2\nfirst 75\n");
+  CHECK(outcome.err.find("r: a run is still writing here (process ") != std::string::npos);
+  CHECK(summary_of(place.path() / "r")["status"] == "interrupted");
+  CHECK(!fs::exists(place.path() / "r/run.lock"));
+}
+
+TEST_CASE("A reader that closes the pipe of the summary does not end the run") {
+  const Workplace place;
+  CHECK(place.shell("{ $GYROSIM run " + box + " --out r --until '5 ms'; echo $? >&2; } | true").err.ends_with("5\n"));
+  CHECK(summary_of(place.path() / "r")["status"] == "done");
 }
 
 TEST_CASE("The end of --max-walltime ends a run with exit code 75") {

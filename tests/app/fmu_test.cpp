@@ -136,6 +136,25 @@ TEST_CASE("A foreign FMU that fails stops the run with its reason") {
   CHECK(result_of(place.path() / "r", "series/time").back() == Approx(0.003));
 }
 
+TEST_CASE("An FMU that calls exit(0) stops the run, which has its checkpoint and its summary") {
+  const Workplace place;
+  write_foreign_fmu(place.path() / "foreign.fmu");
+  const Outcome run = place.gyrosim(crush + with_foreign(place, ", parameters: {misdeed: 1, misdeed_at: 0.003}") +
+                                    "--until '10 ms' --out r");
+  CHECK(run.code == 4);
+  CHECK_THAT(run.err, Contains("ended its process with exit code 0"));
+  CHECK(summary_of(place.path() / "r")["status"] == "stopped");
+  CHECK(result_of(place.path() / "r", "series/time").back() == Approx(0.003));
+}
+
+TEST_CASE("The check of a case says that it starts native code before it does") {
+  const Workplace place;
+  write_foreign_fmu(place.path() / "foreign.fmu");
+  CHECK_THAT(place.gyrosim("check " + crush_case + with_foreign(place)).err,
+             Contains("starts the native code of") && Contains("foreign.fmu"));
+  CHECK(place.gyrosim("check " + crush_case).err.empty());
+}
+
 TEST_CASE("An FMU that cannot be used is refused before anything is written, at its place in the case") {
   const Workplace place;
   const auto refused = [&](const std::string& set) {

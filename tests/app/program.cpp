@@ -25,6 +25,10 @@ Outcome Workplace::gyrosim(const std::string& arguments) const {
   return call("'" GYROSIM "' " + arguments);
 }
 
+Outcome Workplace::shell(const std::string& line) const {
+  return call("GYROSIM='" GYROSIM "' && export GYROSIM && { " + line + "; }");
+}
+
 Outcome Workplace::gyrosim_with_signal(const std::string& arguments, const std::string& signal, double seconds) const {
   return call("timeout -s " + signal + " --preserve-status " + std::to_string(seconds) + " '" GYROSIM "' " + arguments);
 }

@@ -28,6 +28,9 @@ class Workplace {
   /// The same, on a disk that takes no file of more than about so many bytes.
   Outcome gyrosim_with_file_limit(const std::string& arguments, std::size_t bytes) const;
 
+  /// Runs a line of the shell, in which $GYROSIM is the program.
+  Outcome shell(const std::string& line) const;
+
   std::filesystem::path path() const { return work_.path(); }
   void write(const std::string& name, const std::string& text) const;
   /// Files and folders below, in order.

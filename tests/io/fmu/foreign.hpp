@@ -32,6 +32,8 @@ inline std::string foreign_description() {
     <ScalarVariable name="weight" valueReference="7" causality="output"><Real unit="kg"/></ScalarVariable>
     <ScalarVariable name="trip_at" valueReference="9" causality="parameter"><Real start="1e9"/></ScalarVariable>
     <ScalarVariable name="off" valueReference="10" causality="output"><Boolean/></ScalarVariable>
+    <ScalarVariable name="misdeed" valueReference="11" causality="parameter"><Real start="0"/></ScalarVariable>
+    <ScalarVariable name="misdeed_at" valueReference="12" causality="parameter"><Real start="0"/></ScalarVariable>
     <ScalarVariable name="odd" valueReference="8" causality="output"><Real unit="furlong"/></ScalarVariable>
   </ModelVariables>
 </fmiModelDescription>

@@ -3,18 +3,55 @@
 //   J dw/dt = stall_torque (1 - w / w0) - T_load, without the motor from trip_at on
 #include "mbd/fmi/fmi2.hpp"
 
+#include <cfenv>
+#include <chrono>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <stdexcept>
+#include <thread>
 
 namespace {
 
-enum Reference : unsigned { load, speed, torque, inertia, fail_at, blind_at, trip_at = 9, off, references };
+enum Reference : unsigned {
+  load,
+  speed,
+  torque,
+  inertia,
+  fail_at,
+  blind_at,
+  trip_at = 9,
+  off,
+  misdeed,
+  misdeed_at,
+  references
+};
 constexpr double rpm = 0.10471975511965977, idle = 452.5 * rpm, stall_torque = 23.4375;
 
 struct Instance {
-  double values[references] = {0, idle / rpm, 0, 0.174, 1e9, 1e9, 0, 0, 0, 1e9, 0};
+  double values[references] = {0, idle / rpm, 0, 0.174, 1e9, 1e9, 0, 0, 0, 1e9, 0, 0, 0};
   fmi2CallbackFunctions callbacks{};
 };
+
+/// What code of others may do to the program that calls it.
+enum class Misdeed { exit = 1, exception, crash, hang, round };
+
+void misbehave(Misdeed what) {
+  switch (what) {
+    case Misdeed::exit:
+      std::exit(0);
+    case Misdeed::exception:
+      throw std::runtime_error("of the FMU");
+    case Misdeed::crash:
+      std::raise(SIGSEGV);
+      break;
+    case Misdeed::hang:
+      for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+    case Misdeed::round:
+      std::fesetround(FE_UPWARD);
+  }
+}
 
 Instance& of(fmi2Component component) {
   return *static_cast<Instance*>(component);
@@ -88,6 +125,7 @@ fmi2Status fmi2DoStep(fmi2Component component, fmi2Real time, fmi2Real step, fmi
     c.logger(c.componentEnvironment, "", fmi2Error, "", "the motor is on fire at %g s", time);
     return fmi2Error;
   }
+  if (v[misdeed] > 0 && time + step > v[misdeed_at]) misbehave(static_cast<Misdeed>(v[misdeed]));
   for (int k = 0; k < parts; ++k) {
     v[off] = time + k * step / parts >= v[trip_at];
     v[torque] = v[off] != 0 ? 0 : stall_torque * (1 - v[speed] * rpm / idle);

@@ -8,7 +8,10 @@
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
 
+#include <cfenv>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 namespace {
 
@@ -104,6 +107,60 @@ TEST_CASE("What goes wrong in a foreign drivetrain stops the run with its own wo
   fmu.guid = "another";
   CHECK_THROWS_WITH(run(), Contains("cannot be instantiated: the GUID is another"));
   CHECK_THROWS_AS(run(), BadInput);
+}
+
+TEST_CASE("An FMU that ends, throws or crashes ends its own process, and the run is stopped with the reason") {
+  const ScratchDirectory place;
+  DriveFmu fmu = foreign(place.path() / "foreign.fmu");
+  const ModelDescription model = read_fmu(fmu.file);
+  const auto [misdeed, reason] =
+      GENERATE(table<double, std::string>({{1, "ended its process with exit code 0"}, {2, "threw"}, {3, "signal 11"}}));
+  fmu.starts = {start_of(model, "misdeed", misdeed), start_of(model, "misdeed_at", 0.01)};
+  Drivetrain drive(open_drive(fmu), {});
+  const auto run = [&] {
+    for (int k = 0; k < 100; ++k) exchange(drive, window_number(k, 0.5e-3), rock);
+  };
+  if (misdeed == 2) {
+    CHECK_THROWS_AS(run(), StoppedByGuard);
+    return;
+  }
+  CHECK_THROWS_WITH(run(), Contains("the drivetrain FMU foreign.fmu") && Contains(reason));
+  CHECK_THROWS_WITH(run(), Contains("is gone"));
+}
+
+TEST_CASE("An FMU that does not answer is given up") {
+  const ScratchDirectory place;
+  DriveFmu fmu = foreign(place.path() / "foreign.fmu");
+  const ModelDescription model = read_fmu(fmu.file);
+  fmu.starts = {start_of(model, "misdeed", 4)};
+  const auto drive = open_drive(fmu, std::chrono::milliseconds(200));
+  ShaftMotion motion = drive->start();
+  CHECK_THROWS_WITH(drive->advance(1e-3, {}, motion), Contains("has not answered for 0.2 s"));
+}
+
+TEST_CASE("An FMU that changes the rounding mode changes only its own numbers") {
+  const ScratchDirectory place;
+  DriveFmu fmu = foreign(place.path() / "foreign.fmu");
+  const ModelDescription model = read_fmu(fmu.file);
+  fmu.starts = {start_of(model, "misdeed", 5)};
+  const auto drive = open_drive(fmu);
+  ShaftMotion motion = drive->start();
+  drive->advance(1e-3, {}, motion);
+  CHECK(std::fegetround() == FE_TONEAREST);
+}
+
+TEST_CASE("A library that is cut off is refused") {
+  const ScratchDirectory place;
+  std::ifstream whole(GYRO_FOREIGN_FMU, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(whole), {}};
+  const auto cut = place.path() / "cut.so";
+  std::ofstream(cut, std::ios::binary) << content.substr(0, content.size() / 2);
+  const auto file = place.path() / "foreign.fmu";
+  write_foreign_fmu(file, foreign_description(), "binaries/linux64/flywheel.so", cut.c_str());
+  DriveFmu fmu;
+  fmu.file = file;
+  fmu.identifier = "flywheel";
+  CHECK_THROWS_AS(open_drive(fmu), BadInput);
 }
 
 TEST_CASE("A foreign drivetrain tells of trips by a truth value") {

@@ -2,7 +2,7 @@
 #include "io/rocks/library_cache.hpp"
 #include "core/rocks/recipe.hpp"
 #include "io/mesh/mesh_file.hpp"
-#include "io/rocks/digest.hpp"
+#include "io/files/digest.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/mesh/written.hpp"
 #include "tests/io/rocks/libraries.hpp"
@@ -47,9 +47,9 @@ TEST_CASE("A cached library is the one that was made") {
   }
   SECTION("a file with the text of another recipe is not taken") {
     write_cached(folder.path(), "another recipe", made);
-    const auto file = folder.path() / ("rocks-" + fnv1a_128("another recipe") + ".h5");
+    const auto file = folder.path() / ("rocks-" + digest_of("another recipe") + ".h5");
     REQUIRE(std::filesystem::exists(file));
-    std::filesystem::rename(file, folder.path() / ("rocks-" + fnv1a_128(recipe_text(small_recipe())) + ".h5"));
+    std::filesystem::rename(file, folder.path() / ("rocks-" + digest_of(recipe_text(small_recipe())) + ".h5"));
     CHECK_FALSE(cached_library(small_recipe(), folder.path()).from_cache);
   }
   SECTION("a damaged file is made again without a word") {
@@ -147,11 +147,4 @@ TEST_CASE("The cache is where the user's caches are") {
   CHECK(with("", "/h") == "/h/.cache/gyrosim");
   CHECK(with(nullptr, nullptr).empty());
   with(cache ? kept_cache.c_str() : nullptr, home ? kept_home.c_str() : nullptr);
-}
-
-TEST_CASE("The hash is FNV-1a") {
-  // Published test vectors of draft-eastlake-fnv.
-  CHECK(fnv1a_128("") == "6c62272e07bb014262b821756295c58d");
-  CHECK(fnv1a_128("a") == "d228cb696f1a8caf78912b704e4a8964");
-  CHECK(fnv1a_128("foobar") == "343e1662793c64bf6f0d3597ba446f18");
 }

@@ -18,7 +18,7 @@ namespace {
 std::string run_shown(ProgressStyle style, double duration, double wall_seconds, int updates) {
   std::ostringstream out;
   double now = 100;
-  Progress progress(0, duration, style, out, [&] { return now; });
+  Progress progress({}, duration, style, out, [&] { return now; });
   ProgressState state;
   for (int k = 1; k <= updates; ++k) {
     const double share = static_cast<double>(k) / updates;
@@ -52,16 +52,17 @@ TEST_CASE("Plain lines come each 2 percent or 10 seconds, without control charac
 TEST_CASE("The time left is that of a run at constant speed") {
   std::ostringstream out;
   double now = 0;
-  Progress progress(1, 3, {Form::lines}, out, [&] { return now; });
+  // A run that goes on at half of its time: shares are of the whole, rates of what this process has done.
+  Progress progress({.time = 1, .particle_steps = 7'000'000'000}, 2, {Form::lines}, out, [&] { return now; });
   now = 50;
-  progress.update({.time = 1.5, .particle_steps = 50000000, .particles = 10});
-  CHECK_THAT(out.str(), Contains("25.0 %") && Contains("2 min 30 s left") && Contains("1 M particle-steps/s"));
+  progress.update({.time = 1.25, .particle_steps = 7'050'000'000, .particles = 10});
+  CHECK_THAT(out.str(), Contains("62.5 %") && Contains("2 min 30 s left") && Contains("1 M particle-steps/s"));
 }
 
 TEST_CASE("The time left follows a change of speed") {
   std::ostringstream out;
   double now = 0;
-  Progress progress(0, 10, {Form::lines}, out, [&] { return now; });
+  Progress progress({}, 10, {Form::lines}, out, [&] { return now; });
   ProgressState state;
   while (state.time < 5) {
     now += 1;
@@ -103,7 +104,7 @@ TEST_CASE("Progress shows only what the scene has") {
   const auto last = [](const ProgressState& state) {
     std::ostringstream out;
     double now = 0;
-    Progress progress(0, 1, {Form::lines}, out, [&] { return now; });
+    Progress progress({}, 1, {Form::lines}, out, [&] { return now; });
     now = 20;
     progress.update(state);
     return out.str();

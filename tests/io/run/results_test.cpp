@@ -2,9 +2,14 @@
 #include "io/run/results.hpp"
 
 #include "core/base/errors.hpp"
+#include "core/math/random.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <fstream>
 #include <iterator>
 
@@ -239,11 +244,19 @@ TEST_CASE("Results that go on behind the rows kept read as if never interrupted"
   CHECK(b.dataset("/product/sizes").rows() == 3);
 }
 
+namespace {
+
+ResultsRows rows_of_series(int rows) {
+  return {{"/series", rows}, {"/ledger", rows},     {"/breakage", 0},
+          {"/product", 0},   {"/liners/mantle", 0}, {"/liners/mantle/triangles", 0}};
+}
+
+}  // namespace
+
 TEST_CASE("Results that lack rows or tables of the checkpoint are refused and stay as they were") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
-  ResultsRows rows{{"/series", 10}, {"/ledger", 10},       {"/breakage", 0},
-                   {"/product", 0}, {"/liners/mantle", 0}, {"/liners/mantle/triangles", 0}};
+  ResultsRows rows = rows_of_series(10);
   CHECK_THROWS_AS(ResultsFile(path, full_content(), rows), BadInput);
   write_run(path, 9);
   const std::string before = bytes(path);
@@ -258,4 +271,54 @@ TEST_CASE("Results that lack rows or tables of the checkpoint are refused and st
   CHECK_THROWS_WITH(ResultsFile(path, other, rows),
                     Catch::Matchers::Contains("has /product/passing, which would end here"));
   CHECK(bytes(path) == before);
+}
+
+TEST_CASE("A file whose writer was killed just after it was opened goes on") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  write_run(path, 9);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const hdf5::File opened = hdf5::File::modify(path);  // has the mark "open for writing"
+    ::kill(::getpid(), SIGKILL);
+  }
+  ::waitpid(child, nullptr, 0);
+  ResultsFile(path, full_content(), rows_of_series(5)).close();
+  CHECK(hdf5::File::open(path).dataset("/series/time").rows() == 5);
+}
+
+TEST_CASE("A results file with a changed bit goes on or is refused, and neither hangs nor crashes") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  write_run(path, 200);
+  const std::string whole = bytes(path);
+  int refused = 0;
+  for (std::uint64_t k = 0; k < 150; ++k) {
+    std::string changed = whole;
+    // The first half of them in the head of the file, where the library keeps its tables.
+    const auto at =
+        static_cast<std::size_t>(uniform(1, Stream::place, k, 0) * static_cast<double>(k < 75 ? 4096 : whole.size()));
+    changed[at] = static_cast<char>(changed[at] ^ (1 << (k % 8)));
+    std::ofstream(path, std::ios::binary) << changed;
+    CAPTURE(at, k % 8);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (const int signal : {SIGSEGV, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
+      ::alarm(20);
+      try {
+        ResultsFile(path, full_content(), rows_of_series(150)).close();
+        ::_exit(0);
+      } catch (const BadInput&) {
+        ::_exit(2);
+      } catch (const OutputError&) {
+        ::_exit(5);
+      }
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    CHECK(WIFEXITED(status));
+    CHECK((WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 2 || WEXITSTATUS(status) == 5));
+    refused += WIFEXITED(status) && WEXITSTATUS(status) != 0;
+  }
+  CHECK(refused > 20);
 }

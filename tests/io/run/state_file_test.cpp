@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/run/state_file.hpp"
 
+#include "io/files/seal.hpp"
 #include "io/hdf5/hdf5.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -90,7 +92,7 @@ TEST_CASE("A state comes back from its file to the bit") {
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path()), {}) == 1);
 }
 
-TEST_CASE("A state file with any byte changed gives the same state or is refused") {
+TEST_CASE("A state file with any byte changed is refused") {
   const ScratchDirectory scratch;
   const auto file = scratch.path() / "checkpoint.h5", damaged = scratch.path() / "damaged.h5";
   SavedState state;
@@ -98,19 +100,25 @@ TEST_CASE("A state file with any byte changed gives the same state or is refused
   state.put_text("case/resolved", "case: {seed: 42}");
   write_state(file, state);
   const std::string whole = bytes_of(file);
-  std::size_t refused = 0;
   for (std::size_t k = 0; k < whole.size(); ++k) {
     std::string bytes = whole;
     bytes[k] = static_cast<char>(bytes[k] ^ 0x10);
     put_bytes(damaged, bytes);
-    try {
-      if (!same(read_state(damaged), state)) FAIL("byte " << k << " was changed and nobody noticed");
-    } catch (const BadInput& error) {
-      REQUIRE_THAT(error.what(), StartsWith(damaged.string()));
-      ++refused;
-    }
+    CAPTURE(k);
+    REQUIRE_THROWS_WITH(read_state(damaged), StartsWith(damaged.string()) && Contains("damaged"));
   }
-  CHECK(refused > 500);
+}
+
+TEST_CASE("A state file in which a part was lost as zeros is refused") {
+  const ScratchDirectory scratch;
+  const auto file = scratch.path() / "checkpoint.h5";
+  SavedState state;
+  state.put("bonds/strength", std::vector<double>(100'000, 1.5));
+  write_state(file, state);
+  std::string bytes = bytes_of(file);
+  std::fill_n(bytes.begin() + 100'000, 4096, '\0');
+  put_bytes(file, bytes);
+  CHECK_THROWS_AS(read_state(file), BadInput);
 }
 
 TEST_CASE("A state file that is cut off, empty, missing, no state or of another form is refused") {
@@ -131,5 +139,6 @@ TEST_CASE("A state file that is cut off, empty, missing, no state or of another 
   hdf5::File other = hdf5::File::create(file);
   other.set_attribute("/", "format", state_format + 1);
   other.close();
+  seal(file);
   CHECK_THROWS_WITH(read_state(file), Contains("has format " + std::to_string(state_format + 1)));
 }

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mbd/fmi/fmu_process.hpp"
+
+#include "core/base/errors.hpp"
+#include "mbd/fmi/packet.hpp"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace gyro {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How an answer begins.
+enum class Answer : char { done, bad_input, stopped };
+
+enum class Ended { no, closed, late };
+
+constexpr Clock::time_point never = Clock::time_point::max();
+
+/// At most an hour, which poll() can take.
+int milliseconds_until(Clock::time_point end) {
+  constexpr int hour = 3'600'000;
+  const Clock::time_point now = Clock::now();
+  if (end > now + std::chrono::milliseconds(hour)) return hour;
+  return static_cast<int>(std::max<long>(std::chrono::ceil<std::chrono::milliseconds>(end - now).count(), 0));
+}
+
+/// Reads all of `size` bytes, until a moment. Signals that interrupt are no reason to give up.
+Ended read_all(int socket, void* bytes, std::size_t size, Clock::time_point end) {
+  char* at = static_cast<char*>(bytes);
+  while (size > 0) {
+    pollfd wait{socket, POLLIN, 0};
+    const int ready = ::poll(&wait, 1, milliseconds_until(end));
+    if (ready == 0 && Clock::now() < end) continue;
+    if (ready == 0) return Ended::late;
+    if (ready < 0 && errno == EINTR) continue;
+    const ssize_t got = ::recv(socket, at, size, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return Ended::closed;
+    at += got;
+    size -= static_cast<std::size_t>(got);
+  }
+  return Ended::no;
+}
+
+bool write_all(int socket, const void* bytes, std::size_t size) {
+  const char* at = static_cast<const char*>(bytes);
+  while (size > 0) {
+    const ssize_t put = ::send(socket, at, size, MSG_NOSIGNAL);
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return false;
+    at += put;
+    size -= static_cast<std::size_t>(put);
+  }
+  return true;
+}
+
+bool send_packet(int socket, const Packet& packet) {
+  const std::size_t size = packet.bytes().size();
+  return write_all(socket, &size, sizeof size) && write_all(socket, packet.bytes().data(), size);
+}
+
+Ended receive_packet(int socket, Packet& packet, Clock::time_point end) {
+  std::size_t size = 0;
+  if (const Ended ended = read_all(socket, &size, sizeof size, end); ended != Ended::no) return ended;
+  std::vector<char> bytes(size);
+  const Ended ended = read_all(socket, bytes.data(), size, end);
+  packet = Packet(std::move(bytes));
+  return ended;
+}
+
+void put_advance(Packet& packet, const ShaftAdvance& a) {
+  for (const double value : {a.angle, a.spin_angle, a.motor_angle, a.speed_change, a.motor_impulse, a.motor_work,
+                             a.loss_work, a.kinetic_gain, a.stopped_after})
+    packet.put(value);
+  packet.put_list(a.events);
+}
+
+ShaftAdvance get_advance(Packet& packet) {
+  ShaftAdvance a;
+  for (double* value : {&a.angle, &a.spin_angle, &a.motor_angle, &a.speed_change, &a.motor_impulse, &a.motor_work,
+                        &a.loss_work, &a.kinetic_gain, &a.stopped_after})
+    *value = packet.get<double>();
+  a.events = packet.get_list<std::vector<DriveEvent>>();
+  return a;
+}
+
+void put_notes(Packet& packet, const std::vector<std::string>& notes) {
+  packet.put(notes.size());
+  for (const std::string& note : notes) packet.put_list(note);
+}
+
+std::string seconds(std::chrono::milliseconds time) {
+  std::ostringstream text;
+  text << static_cast<double>(time.count()) / 1000;
+  return text.str();
+}
+
+std::string signal_text(int signal) {
+  const char* text = ::strsignal(signal);
+  return "signal " + std::to_string(signal) + (text != nullptr ? std::string(" (") + text + ")" : "");
+}
+
+}  // namespace
+
+/// The other process: an FmuDrive that answers requests until the socket is closed.
+class FmuProcess::Server {
+ public:
+  Server(int socket, const FmuSetup& setup, std::chrono::milliseconds patience)
+      : socket_(socket), patience_(patience), setup_(setup) {}
+
+  /// Never returns. Leaves by _exit(): objects that both processes have copies of belong to the other one.
+  [[noreturn]] void run() {
+    limit_time();
+    answer([this](Packet& out) {
+      drive_.emplace(setup_);
+      out.put(drive_->start()).put(drive_->start_angle()).put_list(drive_->unsaveable());
+    });
+    for (Packet request; drive_ && receive_packet(socket_, request, never) == Ended::no;) {
+      limit_time();
+      answer([&](Packet& out) { serve(request, out); });
+      ::alarm(0);
+    }
+    limit_time();
+    drive_.reset();  // terminates the FMU
+    ::_exit(0);
+  }
+
+ private:
+  /// Ends this process when the FMU hangs and the other process is gone.
+  void limit_time() const { ::alarm(static_cast<unsigned>(patience_.count() / 1000 + 5)); }
+
+  void serve(Packet& in, Packet& out) {
+    const auto request = in.get<Request>();
+    if (request == Request::save) return static_cast<void>(out.put_list(drive_->save()));
+    if (request == Request::restore) return drive_->restore(in.get_list<std::vector<std::uint8_t>>());
+    const auto duration = in.get<double>();
+    const auto load = in.get<ShaftLoad>();
+    auto motion = in.get<ShaftMotion>();
+    put_advance(out, request == Request::preview ? drive_->preview(duration, load, motion)
+                                                 : drive_->advance(duration, load, motion));
+    out.put(motion);
+  }
+
+  template <class Work>
+  void answer(const Work& work) {
+    Packet body;
+    Answer kind = Answer::done;
+    std::string reason;
+    try {
+      work(body);
+    } catch (const BadInput& bad) {
+      kind = Answer::bad_input, reason = bad.what();
+    } catch (const StoppedByGuard& stop) {
+      kind = Answer::stopped, reason = stop.what();
+    } catch (const std::exception& thrown) {
+      kind = Answer::stopped, reason = "the drivetrain FMU " + setup_.name + " threw an exception: " + thrown.what();
+    } catch (...) {
+      kind = Answer::stopped, reason = "the drivetrain FMU " + setup_.name + " threw something unknown";
+    }
+    Packet packet;
+    packet.put(kind).put_list(reason).put(drive_ ? now() : Now{});
+    put_notes(packet, drive_ ? drive_->take_notes() : std::vector<std::string>{});
+    packet.put_list(body.bytes());
+    if (!send_packet(socket_, packet)) ::_exit(0);
+  }
+
+  Now now() const {
+    return {drive_->energy({}), drive_->motor_speed({}), drive_->motor_torque_now({}, {}), drive_->idle_speed()};
+  }
+
+  int socket_;
+  std::chrono::milliseconds patience_;
+  const FmuSetup& setup_;
+  std::optional<FmuDrive> drive_;
+};
+
+/// This program's end of the socket, and the other process.
+class FmuProcess::Channel {
+ public:
+  Channel(const FmuSetup& setup, std::chrono::milliseconds patience);
+  ~Channel();
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  /// Sends a request, if there is one, and waits for the answer's body.
+  /// @throws BadInput, StoppedByGuard as the other process did, or StoppedByGuard when it is gone or does not answer
+  Packet ask(const Packet* request, Now& now, std::vector<std::string>& notes);
+
+ private:
+  [[noreturn]] void give_up(Ended how);
+  std::string end_of_process();
+
+  std::string name_;
+  std::chrono::milliseconds patience_;
+  int socket_ = -1;
+  pid_t process_ = -1;
+};
+
+FmuProcess::Channel::Channel(const FmuSetup& setup, std::chrono::milliseconds patience)
+    : name_(setup.name), patience_(patience) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw std::system_error(errno, std::generic_category(), "the FMU's process needs a socket");
+  std::cout << std::flush;  // else both processes would write what waits
+  std::cerr << std::flush;
+  std::fflush(nullptr);
+  process_ = ::fork();
+  if (process_ == 0) {
+    // A signal to the terminal's group is for the program, which may want to save the FMU's state first.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU}) ::signal(signal, SIG_IGN);
+    for (const int signal : {SIGPIPE, SIGXFSZ, SIGALRM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+      ::signal(signal, SIG_DFL);
+    constexpr int kept = 3;  // no other file of the program stays open here, such as the lock of its directory
+    if (::dup2(ends[1], kept) != kept) ::_exit(1);
+    ::close_range(kept + 1, ~0U, 0);
+    Server(kept, setup, patience).run();
+  }
+  ::close(ends[1]);
+  socket_ = ends[0];
+  if (process_ < 0) {
+    const int reason = errno;
+    ::close(socket_);
+    throw std::system_error(reason, std::generic_category(), "the FMU's process cannot be started");
+  }
+}
+
+FmuProcess::Channel::~Channel() {
+  ::close(socket_);
+  if (process_ < 0) return;
+  const Clock::time_point end = Clock::now() + std::min<std::chrono::milliseconds>(patience_, std::chrono::seconds(10));
+  while (::waitpid(process_, nullptr, WNOHANG) == 0) {
+    if (Clock::now() > end) {
+      ::kill(process_, SIGKILL);
+      ::waitpid(process_, nullptr, 0);
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+std::string FmuProcess::Channel::end_of_process() {
+  int status = 0;
+  ::waitpid(process_, &status, 0);
+  process_ = -1;
+  if (WIFSIGNALED(status)) return "was ended by " + signal_text(WTERMSIG(status));
+  return "ended its process with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+void FmuProcess::Channel::give_up(Ended how) {
+  const std::string who = "the drivetrain FMU " + name_ + " ";
+  if (how == Ended::closed) throw StoppedByGuard(who + end_of_process());
+  ::kill(process_, SIGKILL);
+  end_of_process();
+  throw StoppedByGuard(who + "has not answered for " + seconds(patience_) + " s");
+}
+
+Packet FmuProcess::Channel::ask(const Packet* request, Now& now, std::vector<std::string>& notes) {
+  if (process_ < 0) throw StoppedByGuard("the drivetrain FMU " + name_ + " is gone");
+  if (request != nullptr && !send_packet(socket_, *request)) give_up(Ended::closed);
+  Packet answer;
+  if (const Ended ended = receive_packet(socket_, answer, Clock::now() + patience_); ended != Ended::no) give_up(ended);
+  const auto kind = answer.get<Answer>();
+  const auto reason = answer.get_list<std::string>();
+  now = answer.get<Now>();
+  for (auto count = answer.get<std::size_t>(); count > 0; --count) notes.push_back(answer.get_list<std::string>());
+  if (kind == Answer::bad_input) throw BadInput(reason);
+  if (kind == Answer::stopped) throw StoppedByGuard(reason);
+  return Packet(answer.get_list<std::vector<char>>());
+}
+
+FmuProcess::FmuProcess(FmuSetup setup, std::chrono::milliseconds patience)
+    : setup_(std::move(setup)), channel_(std::make_unique<Channel>(setup_, patience)) {
+  try {
+    Packet answer = channel_->ask(nullptr, now_, notes_);
+    start_ = answer.get<ShaftMotion>();
+    start_angle_ = answer.get<double>();
+    unsaveable_ = answer.get_list<std::string>();
+  } catch (const StoppedByGuard& failure) {
+    throw BadInput(failure.what());
+  }
+}
+
+FmuProcess::~FmuProcess() = default;
+
+ShaftAdvance FmuProcess::move(Request request, double duration, const ShaftLoad& load, ShaftMotion& motion) {
+  const Packet packet = Packet().put(request).put(duration).put(load).put(motion);
+  Packet answer = channel_->ask(&packet, now_, notes_);
+  ShaftAdvance gained = get_advance(answer);
+  motion = answer.get<ShaftMotion>();
+  return gained;
+}
+
+ShaftAdvance FmuProcess::preview(double duration, const ShaftLoad& load, ShaftMotion& motion) {
+  return move(Request::preview, duration, load, motion);
+}
+
+ShaftAdvance FmuProcess::advance(double duration, const ShaftLoad& load, ShaftMotion& motion) {
+  return move(Request::advance, duration, load, motion);
+}
+
+std::vector<std::uint8_t> FmuProcess::save() const {
+  const Packet packet = Packet().put(Request::save);
+  Now same;
+  return channel_->ask(&packet, same, notes_).get_list<std::vector<std::uint8_t>>();
+}
+
+void FmuProcess::restore(std::span<const std::uint8_t> bytes) {
+  Packet packet;
+  packet.put(Request::restore).put_list(bytes);
+  channel_->ask(&packet, now_, notes_);
+}
+
+std::vector<std::string> FmuProcess::take_notes() {
+  return std::exchange(notes_, {});
+}
+
+}  // namespace gyro
