@@ -24,7 +24,7 @@ from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow,
                                          vtkWindowToImageFilter)
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
 
-from render_actors import bond_actor, innermost, particle_actor, read, split_walls, wall_actors
+from render_actors import bond_actor, innermost, particle_actor, read, read_walls, split_walls, wall_actors
 
 
 def parse_arguments():
@@ -65,11 +65,11 @@ def find_frame(run, number):
     for kind in ("particles", "walls"):
         index = run / f"{kind}.pvd"
         if index.exists():
-            frames = ElementTree.parse(index).getroot().findall(".//DataSet")
+            sets = ElementTree.parse(index).getroot().findall(".//DataSet")
+            frames = list(dict.fromkeys(item.get("timestep") for item in sets))  # a frame may have several files
             if not -len(frames) <= number < len(frames):
                 sys.exit(f"render.py: {run} has no frame {number}; use 0 to {len(frames) - 1}")
-            frame = frames[number]
-            return int(Path(frame.get("file")).stem.split("_")[1]), float(frame.get("timestep"))
+            return range(len(frames))[number], float(frames[number])
     sys.exit(f"render.py: {run} has no particles.pvd; give the directory of a run with snapshots")
 
 
@@ -181,7 +181,7 @@ def main():
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     height = 2 * arguments.height
-    particles, walls = read(arguments.run, "particles", frame), split_walls(read(arguments.run, "walls", frame))
+    particles, walls = read(arguments.run, "particles", frame), split_walls(read_walls(arguments.run, frame))
     if arguments.cut is None:
         arguments.cut = "none" if innermost(walls) is None else "half"
     bonds = read(arguments.run, "bonds", frame) if arguments.bonds else None

@@ -4,7 +4,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
-from vtkmodules.vtkFiltersCore import (vtkClipPolyData, vtkCutter, vtkPolyDataNormals, vtkStripper, vtkThreshold,
+from vtkmodules.vtkFiltersCore import (vtkAppendPolyData, vtkClipPolyData, vtkCutter, vtkPolyDataNormals, vtkStripper, vtkThreshold,
                                        vtkTubeFilter)
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -22,14 +22,30 @@ def rgb(text):
     return tuple(int(text[k:k + 2], 16) / 255 for k in (1, 3, 5))
 
 
-def read(run, kind, frame):
-    path = run / "snapshots" / f"{kind}_{frame:06d}.vtp"
+def read_file(path):
+    """A file of snapshots/, or None when there is none."""
     if not path.exists():
         return None
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(str(path))
     reader.Update()
     return reader.GetOutput()
+
+
+def read(run, kind, frame):
+    return read_file(run / "snapshots" / f"{kind}_{frame:06d}.vtp")
+
+
+def read_walls(run, frame):
+    """The walls of a frame, with those that are the same in all frames."""
+    found = [data for data in (read(run, "walls", frame), read_file(run / "snapshots" / "walls_fixed.vtp")) if data]
+    if not found:
+        return None
+    together = vtkAppendPolyData()
+    for data in found:
+        together.AddInputData(data)
+    together.Update()
+    return together.GetOutput()
 
 
 def field(data, name):

@@ -134,12 +134,24 @@ void LinerMaps::close(ResultsFile& results) {
   if (!asked_) return;
   if (times_.now > times_.written) write(results);
   for (Mapped& m : maps_) {
-    const SurfaceSums& sums = m.map.by_triangle();
-    LinerReading reading{times_.now, pressure(sums.impulse, m.map.triangle_area(), times_.now), sums.work};
-    for (std::size_t t = 0; t < sums.work.size() && asked_->wear_coefficient; ++t)
-      reading.wear.push_back(wear_depth(*asked_->wear_coefficient, sums.work[t], m.friction, m.map.triangle_area()[t]));
-    m.triangles.append(results, reading);
+    WallLoads loads = loads_of(m);
+    m.triangles.append(results,
+                       {times_.now, std::move(loads.pressure), std::move(loads.sliding_work), std::move(loads.wear)});
   }
+}
+
+WallLoads LinerMaps::loads_of(const Mapped& m) const {
+  const SurfaceSums& sums = m.map.by_triangle();
+  WallLoads loads{pressure(sums.impulse, m.map.triangle_area(), times_.now), sums.work, {}};
+  for (std::size_t t = 0; t < sums.work.size() && asked_->wear_coefficient; ++t)
+    loads.wear.push_back(wear_depth(*asked_->wear_coefficient, sums.work[t], m.friction, m.map.triangle_area()[t]));
+  return loads;
+}
+
+std::optional<WallLoads> LinerMaps::loads(Index wall) const {
+  for (const Mapped& m : maps_)
+    if (m.wall == wall) return loads_of(m);
+  return {};
 }
 
 }  // namespace gyro

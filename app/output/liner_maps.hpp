@@ -5,6 +5,7 @@
 #include "app/output/tables/table_writer.hpp"
 #include "app/output/tables/tables.hpp"
 #include "core/walls/surface_map.hpp"
+#include "io/run/snapshots.hpp"
 
 #include <vector>
 
@@ -22,6 +23,9 @@ class LinerMaps {
   void take(const std::vector<WallImpulse>& impulses, double time, ResultsFile& results);
   /// Writes what is left, and the maps by triangle.
   void close(ResultsFile& results);
+
+  /// What the rock has done to a wall so far; nothing without a map of it.
+  std::optional<WallLoads> loads(Index wall) const;
 
   void save(SavedState& to) const;
   /// @throws BadInput for maps of another size
@@ -45,6 +49,7 @@ class LinerMaps {
     }
   };
   void write(ResultsFile& results);
+  WallLoads loads_of(const Mapped& mapped) const;
 
   std::optional<CaseLinerMaps> asked_;
   OutputForm form_;

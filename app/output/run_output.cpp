@@ -32,7 +32,7 @@ bool due(double interval, std::int64_t counted, double time) {
 }
 
 PosedWall posed(const WallPicture& picture, const WallPose& pose) {
-  PosedWall out{picture.mesh, picture.wall};
+  PosedWall out{picture.mesh, picture.wall, {}};
   for (Vec3d& v : out.mesh.vertices) v = to_world(pose, v);
   return out;
 }
@@ -89,10 +89,16 @@ void RunOutput::write_row(const Simulation& simulation) {
 void RunOutput::write_snapshot(const Simulation& simulation) {
   const ParticleSnapshot particles = simulation.dem().particles();
   const BondSnapshot bonds = simulation.dem().bonds();
-  std::vector<PosedWall> walls;
+  std::vector<PosedWall> walls, fixed;
   const std::vector<WallPose> poses = simulation.dem().wall_poses();
-  for (const WallPicture& picture : assembly_.pictures)
-    walls.push_back(posed(picture, poses[static_cast<std::size_t>(picture.wall)]));
+  for (const WallPicture& picture : assembly_.pictures) {
+    const auto number = static_cast<std::size_t>(picture.wall);
+    PosedWall wall = posed(picture, poses[number]);
+    wall.loads = maps_.loads(picture.wall);
+    const bool same = std::holds_alternative<Fixed>(assembly_.setup.scene.walls[number].motion) && !wall.loads;
+    (same ? fixed : walls).push_back(std::move(wall));
+  }
+  snapshots_.write_fixed(fixed);
   snapshots_.write({simulation.time(), &particles, input_.bonds ? &bonds : nullptr, walls});
   ++state_.frames;
 }

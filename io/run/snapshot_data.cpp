@@ -9,6 +9,7 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeUInt32Array.h>
 #include <array>
+#include <cmath>
 #include <type_traits>
 
 namespace gyro {
@@ -52,7 +53,12 @@ constexpr Field<Source> field(const char* name, const char* units, F, const char
 using Row = std::size_t;
 using Particles = ParticleSnapshot;
 using Bonds = BondSnapshot;
-using WallOfTriangle = std::vector<Index>;
+
+/// The triangles of all walls of a file.
+struct WallTriangles {
+  std::vector<Index> wall;
+  WallLoads loads;  ///< NaN for the triangles of walls without; empty when there are none
+};
 
 constexpr Field<Particles> particle_fields[] = {
     field<vtkTypeUInt32Array, Particles>(
@@ -87,10 +93,26 @@ constexpr Field<Bonds> bond_fields[] = {
         "larger of tensile stress / strength and shear stress / strength; the bond fails at 1"),
 };
 
-constexpr Field<WallOfTriangle> wall_fields[] = {
-    field<vtkTypeInt32Array, WallOfTriangle>(
-        "wall", "1", [](const WallOfTriangle& walls, Row t) { return walls[t]; },
+constexpr Field<WallTriangles> wall_fields[] = {
+    field<vtkTypeInt32Array, WallTriangles>(
+        "wall", "1", [](const WallTriangles& s, Row t) { return s.wall[t]; },
         "number of the wall, in the order of the case file"),
+};
+
+/// With output.liners.
+constexpr Field<WallTriangles> load_fields[] = {
+    field<vtkFloatArray, WallTriangles>(
+        "pressure", "Pa", [](const WallTriangles& s, Row t) { return s.loads.pressure[t]; },
+        "with output.liners: mean pressure of rock since the start"),
+    field<vtkFloatArray, WallTriangles>(
+        "sliding_work", "J", [](const WallTriangles& s, Row t) { return s.loads.sliding_work[t]; },
+        "with output.liners: work of friction since the start"),
+};
+
+constexpr Field<WallTriangles> wear_fields[] = {
+    field<vtkFloatArray, WallTriangles>(
+        "wear", "m", [](const WallTriangles& s, Row t) { return s.loads.wear[t]; },
+        "with output.liners.wear_coefficient: depth of wear since the start"),
 };
 
 template <class Source, std::size_t N>
@@ -139,6 +161,8 @@ std::vector<SnapshotField> snapshot_fields() {
   list_fields(bond_end_fields, "bonds", "end of a bond", all);
   list_fields(bond_fields, "bonds", "bond", all);
   list_fields(wall_fields, "walls", "triangle", all);
+  list_fields(load_fields, "walls", "triangle", all);
+  list_fields(wear_fields, "walls", "triangle", all);
   return all;
 }
 
@@ -169,24 +193,50 @@ vtkNew<vtkPolyData> bond_data(const BondSnapshot& s, const ParticleSnapshot& par
   return data;
 }
 
+namespace {
+
+/// Appends the numbers of a wall behind those of the walls before it, which had none so far.
+void append_loads(std::vector<double>& to, const std::vector<double>& numbers, std::size_t triangles_before) {
+  if (numbers.empty()) return;
+  to.resize(triangles_before, std::nan(""));
+  to.insert(to.end(), numbers.begin(), numbers.end());
+}
+
+WallTriangles triangles_of(std::span<const PosedWall> walls) {
+  WallTriangles all;
+  for (const PosedWall& wall : walls) {
+    if (wall.loads) {
+      append_loads(all.loads.pressure, wall.loads->pressure, all.wall.size());
+      append_loads(all.loads.sliding_work, wall.loads->sliding_work, all.wall.size());
+      append_loads(all.loads.wear, wall.loads->wear, all.wall.size());
+    }
+    all.wall.insert(all.wall.end(), wall.mesh.triangles.size(), wall.wall);
+  }
+  for (auto* numbers : {&all.loads.pressure, &all.loads.sliding_work, &all.loads.wear})
+    if (!numbers->empty()) numbers->resize(all.wall.size(), std::nan(""));
+  return all;
+}
+
+}  // namespace
+
 vtkNew<vtkPolyData> wall_data(std::span<const PosedWall> walls) {
   TriangleMesh all;
-  WallOfTriangle wall_of_triangle;
   for (const PosedWall& wall : walls) {
     const auto first = static_cast<Index>(all.vertices.size());
     all.vertices.insert(all.vertices.end(), wall.mesh.vertices.begin(), wall.mesh.vertices.end());
-    for (const Vec3<Index>& t : wall.mesh.triangles) {
-      all.triangles.push_back({t.x + first, t.y + first, t.z + first});
-      wall_of_triangle.push_back(wall.wall);
-    }
+    for (const Vec3<Index>& t : wall.mesh.triangles) all.triangles.push_back({t.x + first, t.y + first, t.z + first});
   }
+  const WallTriangles triangles = triangles_of(walls);
   vtkNew<vtkPolyData> data;
   set_points(data, positions(all.vertices));
   data->SetPolys(cells_of(all.triangles.size(), 3, [&](std::size_t t, int k) {
     const Vec3<Index>& triangle = all.triangles[t];
     return k == 0 ? triangle.x : k == 1 ? triangle.y : triangle.z;
   }));
-  add_fields(wall_fields, wall_of_triangle, wall_of_triangle.size(), data->GetCellData());
+  const std::size_t count = triangles.wall.size();
+  add_fields(wall_fields, triangles, count, data->GetCellData());
+  if (!triangles.loads.pressure.empty()) add_fields(load_fields, triangles, count, data->GetCellData());
+  if (!triangles.loads.wear.empty()) add_fields(wear_fields, triangles, count, data->GetCellData());
   return data;
 }
 

@@ -12,15 +12,19 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <array>
 #include <cstdio>
+#include <optional>
 
 namespace gyro {
 namespace {
 
-void write_data(const std::filesystem::path& path, vtkPolyData* data, double time) {
-  vtkNew<vtkDoubleArray> stamp;
-  stamp->SetName("TimeValue");
-  stamp->InsertNextValue(time);
-  data->GetFieldData()->AddArray(stamp);
+/// @param time  [s]; none for what is the same at all times
+void write_data(const std::filesystem::path& path, vtkPolyData* data, std::optional<double> time) {
+  if (time) {
+    vtkNew<vtkDoubleArray> stamp;
+    stamp->SetName("TimeValue");
+    stamp->InsertNextValue(*time);
+    data->GetFieldData()->AddArray(stamp);
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
@@ -39,54 +43,68 @@ std::string frame_file(const std::string& kind, std::size_t frame) {
   return "snapshots/" + kind + number.data();
 }
 
+constexpr const char* fixed_file = "snapshots/walls_fixed.vtp";
+
 }  // namespace
 
 SnapshotWriter::SnapshotWriter(std::filesystem::path directory, std::vector<double> earlier)
-    : directory_(std::move(directory)), times_(std::move(earlier)) {
+    : directory_(std::move(directory)),
+      times_(std::move(earlier)),
+      has_fixed_(!times_.empty() && std::filesystem::exists(directory_ / fixed_file)),
+      particles_{"particles", FrameIndex(directory_ / "particles.pvd")},
+      bonds_{"bonds", FrameIndex(directory_ / "bonds.pvd")},
+      walls_{"walls", FrameIndex(directory_ / "walls.pvd")} {
   std::error_code error;
   std::filesystem::create_directories(directory_ / "snapshots", error);
   if (error) throw OutputError((directory_ / "snapshots").string() + ": cannot make it: " + error.message());
   drop_later_frames();
 }
 
+/// Files of a frame, relative to the directory.
+std::vector<std::string> SnapshotWriter::parts(const std::string& kind, std::size_t frame, bool numbered) const {
+  std::vector<std::string> files;
+  if (numbered) files.push_back(frame_file(kind, frame));
+  if (kind == walls_.name && has_fixed_) files.emplace_back(fixed_file);
+  return files;
+}
+
 /// Frames that another run left behind: indices first, so that they never name a missing file.
-void SnapshotWriter::drop_later_frames() const {
-  const auto file = [this](const char* kind, std::size_t frame) { return directory_ / frame_file(kind, frame); };
-  for (const char* kind : {"particles", "bonds", "walls"}) {
-    if (!std::filesystem::exists(file(kind, times_.size()))) continue;
-    write_index(kind);
+void SnapshotWriter::drop_later_frames() {
+  for (Kind* kind : {&particles_, &bonds_, &walls_}) {
+    const auto file = [&](std::size_t frame) { return directory_ / frame_file(kind->name, frame); };
+    if (!std::filesystem::exists(directory_ / (kind->name + ".pvd"))) continue;
+    std::vector<std::vector<std::string>> kept;
+    for (std::size_t frame = 0; frame < times_.size(); ++frame)
+      kept.push_back(parts(kind->name, frame, std::filesystem::exists(file(frame))));
+    kind->index.write(times_, kept);
     std::error_code error;
-    for (std::size_t frame = times_.size(); std::filesystem::remove(file(kind, frame), error); ++frame) {
+    for (std::size_t frame = times_.size(); std::filesystem::remove(file(frame), error); ++frame) {
     }
-    if (error) throw OutputError(file(kind, times_.size()).string() + ": cannot remove: " + error.message());
+    if (error) throw OutputError(file(times_.size()).string() + ": cannot remove: " + error.message());
   }
+}
+
+void SnapshotWriter::write_fixed(std::span<const PosedWall> walls) {
+  if (walls.empty() || has_fixed_) return;
+  write_data(directory_ / fixed_file, wall_data(walls), {});
+  has_fixed_ = true;
 }
 
 void SnapshotWriter::write(const SnapshotFrame& frame) {
   const std::size_t number = times_.size();
-  if (frame.particles)
-    write_data(directory_ / frame_file("particles", number), particle_data(*frame.particles), frame.time);
-  if (frame.bonds)
-    write_data(directory_ / frame_file("bonds", number), bond_data(*frame.bonds, *frame.particles), frame.time);
-  if (!frame.walls.empty()) write_data(directory_ / frame_file("walls", number), wall_data(frame.walls), frame.time);
+  const auto file = [&](const Kind& kind) { return directory_ / frame_file(kind.name, number); };
+  if (frame.particles) write_data(file(particles_), particle_data(*frame.particles), frame.time);
+  if (frame.bonds) write_data(file(bonds_), bond_data(*frame.bonds, *frame.particles), frame.time);
+  if (!frame.walls.empty()) write_data(file(walls_), wall_data(frame.walls), frame.time);
   times_.push_back(frame.time);
   // The indices last: they never name a file that is not there.
-  if (frame.particles) write_index("particles");
-  if (frame.bonds) write_index("bonds");
-  if (!frame.walls.empty()) write_index("walls");
+  if (frame.particles) add_to_index(particles_, true);
+  if (frame.bonds) add_to_index(bonds_, true);
+  if (!frame.walls.empty() || has_fixed_) add_to_index(walls_, !frame.walls.empty());
 }
 
-void SnapshotWriter::write_index(const std::string& kind) const {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      "  <Collection>\n";
-  for (std::size_t frame = 0; frame < times_.size(); ++frame) {
-    std::array<char, 32> time;
-    std::snprintf(time.data(), time.size(), "%.12g", times_[frame]);
-    text += "    <DataSet timestep=\"" + std::string(time.data()) + "\" part=\"0\" file=\"" + frame_file(kind, frame) +
-            "\"/>\n";
-  }
-  replace_file(directory_ / (kind + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
+void SnapshotWriter::add_to_index(Kind& kind, bool numbered) {
+  kind.index.add(times_.back(), parts(kind.name, times_.size() - 1, numbered));
 }
 
 }  // namespace gyro

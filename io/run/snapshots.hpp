@@ -3,26 +3,36 @@
 
 #include "core/scene/dem.hpp"
 #include "core/scene/scene.hpp"
+#include "io/run/frame_index.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace gyro {
 
+/// What the rock has done to the triangles of a wall since the start of the run; one number for each triangle.
+struct WallLoads {
+  std::vector<double> pressure;      ///< mean [Pa]
+  std::vector<double> sliding_work;  ///< of friction [J]
+  std::vector<double> wear;          ///< depth [m]; empty without a wear coefficient
+};
+
 /// A wall as it stands in the world at the time of a snapshot.
 struct PosedWall {
   TriangleMesh mesh;  ///< world frame
   Index wall;         ///< number in Scene::walls
+  std::optional<WallLoads> loads = {};
 };
 
 /// What a frame shows; an empty part writes no file and gets no index.
 struct SnapshotFrame {
   double time = 0;
   const ParticleSnapshot* particles = nullptr;
-  const BondSnapshot* bonds = nullptr;  ///< needs particles
-  std::span<const PosedWall> walls = {};
+  const BondSnapshot* bonds = nullptr;    ///< needs particles
+  std::span<const PosedWall> walls = {};  ///< those that change from frame to frame
 };
 
 /// A field of the files of a frame.
@@ -35,8 +45,8 @@ struct SnapshotField {
 };
 std::vector<SnapshotField> snapshot_fields();
 
-/// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: appended, zlib, float32) and the
-/// ParaView indices {particles,bonds,walls}.pvd, replaced after each frame.
+/// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: appended, zlib, float32), once
+/// snapshots/walls_fixed.vtp, and the ParaView indices {particles,bonds,walls}.pvd.
 ///
 /// particles: points with one vertex cell, all fields at the points. bonds: one line each with its own two points;
 /// radius at the points, the other fields at the lines. walls: triangles with their fields.
@@ -46,15 +56,24 @@ class SnapshotWriter {
   /// @param directory the run's directory
   /// @param earlier times of frames that a resumed run keeps; later ones are removed, numbering continues after them
   explicit SnapshotWriter(std::filesystem::path directory, std::vector<double> earlier = {});
+  /// Before the first frame: walls that are the same in all of them.
+  void write_fixed(std::span<const PosedWall> walls);
   void write(const SnapshotFrame& frame);
   const std::vector<double>& times() const { return times_; }
 
  private:
-  void write_index(const std::string& kind) const;
-  void drop_later_frames() const;
+  struct Kind {
+    std::string name;
+    FrameIndex index;
+  };
+  void add_to_index(Kind& kind, bool numbered);
+  std::vector<std::string> parts(const std::string& kind, std::size_t frame, bool numbered) const;
+  void drop_later_frames();
 
   std::filesystem::path directory_;
   std::vector<double> times_;
+  bool has_fixed_ = false;
+  Kind particles_, bonds_, walls_;
 };
 
 }  // namespace gyro

@@ -4,6 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
 
+#include <sys/stat.h>
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -13,6 +14,9 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
+
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -109,8 +113,8 @@ TEST_CASE("Bonds read back with VTK as they were written") {
 
 TEST_CASE("Walls read back with VTK as they were written") {
   const ScratchDirectory scratch;
-  const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0},
-                             {{{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}, {1, 1, 2}}, {{0, 1, 2}, {1, 3, 2}}}, 2}};
+  const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0, {}},
+                             {{{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}, {1, 1, 2}}, {{0, 1, 2}, {1, 3, 2}}}, 2, {}}};
   SnapshotWriter(scratch.path()).write({.time = 1, .walls = walls});
   const auto data = read(scratch.path() / "snapshots" / "walls_000000.vtp");
   REQUIRE(data->GetNumberOfPolys() == 3);
@@ -121,11 +125,64 @@ TEST_CASE("Walls read back with VTK as they were written") {
   CHECK(data->GetPoint(6)[2] == 2);
 }
 
+TEST_CASE("Walls that never change are written once and are a part of every frame") {
+  const ScratchDirectory scratch;
+  const PosedWall fixed[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 1, {}}};
+  const auto moving = [](double z) { return PosedWall{{{{0, 0, z}, {1, 0, z}, {0, 1, z}}, {{0, 1, 2}}}, 0, {}}; };
+  {
+    SnapshotWriter writer(scratch.path());
+    writer.write_fixed(fixed);
+    for (const double time : {0.0, 0.5}) writer.write({.time = time, .walls = std::array{moving(time)}});
+  }
+  SnapshotWriter resumed(scratch.path(), {0.0});
+  resumed.write_fixed(fixed);
+  resumed.write({.time = 0.25, .walls = std::array{moving(0.25)}});
+  CHECK(text_of(scratch.path() / "walls.pvd") ==
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "  <Collection>\n"
+        "    <DataSet timestep=\"0\" part=\"0\" file=\"snapshots/walls_000000.vtp\"/>\n"
+        "    <DataSet timestep=\"0\" part=\"1\" file=\"snapshots/walls_fixed.vtp\"/>\n"
+        "    <DataSet timestep=\"0.25\" part=\"0\" file=\"snapshots/walls_000001.vtp\"/>\n"
+        "    <DataSet timestep=\"0.25\" part=\"1\" file=\"snapshots/walls_fixed.vtp\"/>\n"
+        "  </Collection>\n</VTKFile>\n");
+  CHECK(value(read(scratch.path() / "snapshots/walls_fixed.vtp")->GetCellData(), "wall", 0) == 1);
+  CHECK(read(scratch.path() / "snapshots/walls_000001.vtp")->GetPoint(0)[2] == 0.25);
+}
+
+TEST_CASE("Loads are fields of the walls that have them, and no number elsewhere") {
+  const ScratchDirectory scratch;
+  const TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const PosedWall walls[] = {{one, 0, {}}, {one, 1, WallLoads{{2e5}, {3}, {4e-6}}}, {one, 2, {}}};
+  SnapshotWriter(scratch.path()).write({.time = 1, .walls = walls});
+  const auto data = read(scratch.path() / "snapshots/walls_000000.vtp");
+  vtkCellData* fields = data->GetCellData();
+  CHECK(std::isnan(value(fields, "pressure", 0)));
+  CHECK(value(fields, "pressure", 1) == 2e5);
+  CHECK(value(fields, "sliding_work", 1) == 3);
+  CHECK(value(fields, "wear", 1) == Approx(4e-6));
+  CHECK(std::isnan(value(fields, "wear", 2)));
+}
+
+TEST_CASE("The time of a frame does not grow with their number") {
+  const ScratchDirectory scratch;
+  const auto index_bytes = [&] { return std::filesystem::file_size(scratch.path() / "particles.pvd"); };
+  const ParticleSnapshot none_left;
+  SnapshotWriter writer(scratch.path());
+  struct stat before = {}, after = {};
+  writer.write({.time = 0, .particles = &none_left});
+  ::stat((scratch.path() / "particles.pvd").c_str(), &before);
+  const auto bytes = index_bytes();
+  for (int frame = 1; frame < 200; ++frame) writer.write({.time = 0.001 * frame, .particles = &none_left});
+  ::stat((scratch.path() / "particles.pvd").c_str(), &after);
+  CHECK(before.st_ino == after.st_ino);  // lines were added: the index was not written again
+  CHECK(index_bytes() > 199 * (bytes / 4));
+}
+
 TEST_CASE("The files have the fields that the reference names, with as many components") {
   const ScratchDirectory scratch;
   const ParticleSnapshot particles = three_particles();
   const BondSnapshot bonds{{0}, {1}, {-5}, {0.5}, {0.125}};
-  const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0}};
+  const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0, WallLoads{{1}, {1}, {1}}}};
   SnapshotWriter(scratch.path()).write({.time = 1, .particles = &particles, .bonds = &bonds, .walls = walls});
   std::map<std::string, int> described, written;
   for (const SnapshotField& field : snapshot_fields()) described[field.kind + " " + field.name] = field.width;
