@@ -75,8 +75,9 @@ std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
 struct Arguments {
   RunArguments run;
   CaseArguments check, library, liners, fmu;
-  std::optional<std::filesystem::path> library_out, export_out, fmu_out;
-  std::filesystem::path liners_out, exported;
+  std::optional<std::filesystem::path> library_out, fmu_out;
+  std::filesystem::path liners_out;
+  ExportArguments exported;
   VerifyArguments verify;
   BenchAccuracyArguments accuracy;
   DescribeArguments describe;
@@ -134,10 +135,12 @@ void add_other_commands(CLI::App& app, Arguments& a) {
   c->add_option("--set", a.fmu.set, "override a key: key.path=value")->allow_extra_args(false);
   c->add_option("--out", a.fmu_out, "file; default CASE.fmu in the working directory");
   c->callback([&a] { a.chosen = [&a] { return export_fmu_command(a.fmu, a.fmu_out); }; });
-  c = forms->add_subcommand("csv", "the series of a run as CSV");
-  c->add_option("RUNDIR", a.exported, "directory of a run")->required();
-  c->add_option("--out", a.export_out, "file; default standard output");
-  c->callback([&a] { a.chosen = [&a] { return export_command(a.exported, a.export_out); }; });
+  c = forms->add_subcommand("csv", "a table of a run as CSV");
+  c->add_option("RUNDIR", a.exported.run, "directory of a run")->required();
+  c->add_option("--table", a.exported.table,
+                "series, ledger, breakage, product, holdup or performance; default series");
+  c->add_option("--out", a.exported.out, "file; default standard output");
+  c->callback([&a] { a.chosen = [&a] { return export_command(a.exported); }; });
 
   c = app.add_subcommand("init", "print a commented case to start from");
   c->add_option("--template", a.name, "quickstart, primary or compression");

@@ -45,6 +45,12 @@ struct DescribeArguments {
   bool json = false, markdown = false;  ///< the outputs as JSON, as a page
 };
 
+struct ExportArguments {
+  std::filesystem::path run;
+  std::string table = "series";  ///< group of results.h5
+  std::optional<std::filesystem::path> out;
+};
+
 struct VerifyArguments {
   std::string filter;    ///< regular expression searched in the names of checks; empty: all
   bool nightly = false;  ///< the long cases as well
@@ -66,8 +72,8 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int verify_command(const VerifyArguments& arguments);
 int bench_accuracy_command(const BenchAccuracyArguments& arguments);
-/// The series of a run as CSV, to a file or standard output; names carry the unit.
-int export_command(const std::filesystem::path& run, const std::optional<std::filesystem::path>& out);
+/// A table of a run as CSV, to a file or standard output; names carry the unit.
+int export_command(const ExportArguments& arguments);
 /// The drivetrain of a case, or of the case of a run, as an FMI 2.0 co-simulation FMU.
 /// @param out  default: the case's name with .fmu, in the working directory
 int export_fmu_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);

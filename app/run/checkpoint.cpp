@@ -26,7 +26,9 @@ std::string changed_input(const std::string& now, const std::string& then) {
 void require_same(const Case& input, const std::string& resolved, const std::filesystem::path& file) {
   if (const auto differs = difference(input.resolved, resolved))
     throw BadKey(differs->key, differs->key + " is " + differs->value + ", in " + file.string() + " " + differs->other +
-                                   "; only time.duration and output may change; --overwrite starts the run again");
+                                   "; only time.duration, output.series, output.snapshots and output.checkpoints may "
+                                   "change; --overwrite starts the "
+                                   "run again");
 }
 
 }  // namespace

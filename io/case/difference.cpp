@@ -2,7 +2,10 @@
 #include "io/case/parts.hpp"
 #include "io/files/digest.hpp"
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <string_view>
 
 // Whether a run may continue with a case: the case of its checkpoint against the case asked for now.
 
@@ -26,12 +29,14 @@ void flatten(const YamlNode& node, const std::string& path, std::map<std::string
     flatten(entry.value, path.empty() ? entry.key : path + "." + entry.key, values);
 }
 
+/// Keys that may change when a run continues. Others under `output` decide which columns the results have.
+constexpr std::array<std::string_view, 4> free_keys{"time.duration", "output.series", "output.snapshots",
+                                                    "output.checkpoints"};
+
 std::map<std::string, std::string> values_of(const std::string& resolved) {
   std::map<std::string, std::string> values;
   flatten(parse_yaml(resolved).root, "", values);
-  std::erase_if(values, [](const auto& value) {
-    return value.first == "time.duration" || std::string_view(value.first).starts_with("output.");
-  });
+  std::erase_if(values, [](const auto& value) { return std::ranges::find(free_keys, value.first) != free_keys.end(); });
   return values;
 }
 

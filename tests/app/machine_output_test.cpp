@@ -75,3 +75,20 @@ TEST_CASE("export csv writes the series with units in the names") {
   CHECK(first == header);
   CHECK(place.gyrosim("export csv nothing").code == 2);
 }
+
+TEST_CASE("export csv writes every table, curves with the size of each sieve in its name") {
+  const Workplace place;
+  REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);
+  const auto first_line = [&](const std::string& table) {
+    const Outcome outcome = place.gyrosim("export csv run --table " + table);
+    CHECK(outcome.code == 0);
+    return outcome.out.substr(0, outcome.out.find('\n'));
+  };
+  CHECK(first_line("holdup").find(",passing_0.9766mm,passing_1.381mm,") != std::string::npos);
+  CHECK(first_line("product").find(",passing_1000mm,") != std::string::npos);
+  CHECK(first_line("breakage").starts_with("time_s,energy_J,"));
+  CHECK(first_line("ledger").starts_with("time_s,"));
+  const Outcome wrong = place.gyrosim("export csv run --table fragments");
+  CHECK(wrong.code == 2);
+  CHECK(wrong.err == "run has no table fragments; it has breakage, holdup, ledger, performance, product, series\n");
+}

@@ -127,7 +127,7 @@ TEST_CASE("A finished run goes on with a later end and is left alone otherwise")
   CHECK(result_of(run, "series/time").size() == 9);
 }
 
-TEST_CASE("Probes may not change when a run goes on: their columns would have gaps") {
+TEST_CASE("Outputs that decide on columns may not change when a run goes on, and the message names the key") {
   const Workplace place;
   const std::string cut = box + "--out r --until '5 ms' --set 'output.series=1 ms' --set 'output.probes=[1, 17]'";
   REQUIRE(place.gyrosim(cut).code == 0);
@@ -135,8 +135,13 @@ TEST_CASE("Probes may not change when a run goes on: their columns would have ga
     const Outcome outcome = place.gyrosim(box + "--out r --resume --until '8 ms' --set 'output.probes=" + probes + "'");
     INFO(outcome.err);
     CHECK(outcome.code == 2);
-    CHECK(outcome.err.find("/series/probe_1") != std::string::npos);
+    CHECK_THAT(outcome.err, Contains("--set:1:1: output.probes is ") && Contains("in r/checkpoint.h5 [1, 17]") &&
+                                Contains("only time.duration, output.series"));
   }
+  const Outcome maps = place.gyrosim(
+      box + "--out r --resume --until '8 ms' --set 'output.probes=[1, 17]' --set output.liners.interval=1ms");
+  CHECK(maps.code == 2);
+  CHECK_THAT(maps.err, Contains("output.liners"));
 }
 
 TEST_CASE("The cadence of the output may change when a run goes on") {
