@@ -7,13 +7,21 @@ set -euo pipefail
 
 packages=(build-essential cmake ninja-build python3
           libeigen3-dev libsundials-dev libyaml-cpp-dev libcli11-dev libspdlog-dev
-          libzip-dev libpugixml-dev libhdf5-dev libvtk9-dev libcgal-dev catch2 nlohmann-json3-dev libxxhash-dev "$@")
+          libzip-dev libpugixml-dev libhdf5-dev libvtk9-dev libcgal-dev catch2 nlohmann-json3-dev libxxhash-dev zlib1g-dev "$@")
 
 say() { echo "setup: $*" >&2; }
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   say "no apt here, so nothing is checked; gyrosim needs what Debian 12 calls: ${packages[*]}"
   exit 0
+fi
+
+# Debian's python3-paraview conflicts with python3-vtk9, which libvtk9-dev needs. Without it snapshots are the same.
+if [ "$(dpkg-query -W -f='${db:Status-Status}' python3-paraview 2>/dev/null || true)" = installed ]; then
+  say "python3-paraview is installed, beside which Debian has no libvtk9-dev: snapshots are written without VTK's library"
+  kept=()
+  for package in "${packages[@]}"; do [ "$package" = libvtk9-dev ] || kept+=("$package"); done
+  packages=("${kept[@]}")
 fi
 
 # Fails, beyond printing the others, when it does not know one of them.

@@ -1,53 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/run/snapshot_data.hpp"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFloatArray.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkTypeUInt32Array.h>
-#include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <type_traits>
+#include <utility>
 
 namespace gyro {
 namespace {
 
-void set_vector(vtkFloatArray* array, std::size_t row, const Vec3d& v) {
-  const std::array<float, 3> tuple{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-  array->SetTypedTuple(static_cast<vtkIdType>(row), tuple.data());
+void append(std::vector<float>& to, const Vec3d& v) {
+  to.insert(to.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
 }
 
 /// A field of a snapshot: what is said of it, and the function (source, row) that gives its numbers. A function that
 /// returns Vec3d makes three components.
 template <class Source>
 struct Field {
-  using Add = void (*)(const Source& source, std::size_t rows, const char* name, vtkDataSetAttributes* to);
+  using Make = PolyArray (*)(const Source& source, std::size_t rows, const char* name);
 
   const char *name, *units;
   int width;
-  Add add;
+  Make make;
   const char* description;
 };
 
-template <class Array, class Source, class F>
+template <class Number, class Source, class F>
 constexpr Field<Source> field(const char* name, const char* units, F, const char* description) {
   constexpr bool vector = std::is_same_v<std::invoke_result_t<F, const Source&, std::size_t>, Vec3d>;
-  const auto add = [](const Source& source, std::size_t rows, const char* array_name, vtkDataSetAttributes* to) {
-    vtkNew<Array> array;
-    array->SetName(array_name);
-    if constexpr (vector) array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(rows));
+  constexpr int width = vector ? 3 : 1;
+  const auto make = [](const Source& source, std::size_t rows, const char* array_name) {
+    std::vector<Number> values;
+    values.reserve(rows * width);
     for (std::size_t row = 0; row < rows; ++row)
       if constexpr (vector)
-        set_vector(array, row, F{}(source, row));
+        append(values, F{}(source, row));
       else
-        array->SetValue(static_cast<vtkIdType>(row), static_cast<typename Array::ValueType>(F{}(source, row)));
-    to->AddArray(array);
+        values.push_back(static_cast<Number>(F{}(source, row)));
+    return PolyArray{array_name, width, std::move(values)};
   };
-  return {name, units, vector ? 3 : 1, add, description};
+  return {name, units, width, make, description};
 }
 
 using Row = std::size_t;
@@ -61,63 +54,63 @@ struct WallTriangles {
 };
 
 constexpr Field<Particles> particle_fields[] = {
-    field<vtkTypeUInt32Array, Particles>(
+    field<std::uint32_t, Particles>(
         "id", "1", [](const Particles& s, Row p) { return s.id[p]; }, "id of the particle"),
-    field<vtkTypeInt32Array, Particles>(
+    field<std::int32_t, Particles>(
         "rock", "1", [](const Particles& s, Row p) { return s.rock[p]; }, "number of the rock that it was made in"),
-    field<vtkTypeUInt32Array, Particles>(
+    field<std::uint32_t, Particles>(
         "fragment", "1", [](const Particles& s, Row p) { return s.id[static_cast<std::size_t>(s.fragment[p])]; },
         "lowest id of the particles of its fragment"),
-    field<vtkFloatArray, Particles>(
+    field<float, Particles>(
         "radius", "m", [](const Particles& s, Row p) { return s.radius[p]; }, "radius"),
-    field<vtkFloatArray, Particles>(
+    field<float, Particles>(
         "mass", "kg", [](const Particles& s, Row p) { return s.mass[p]; }, "mass"),
-    field<vtkFloatArray, Particles>(
+    field<float, Particles>(
         "velocity", "m/s", [](const Particles& s, Row p) { return s.velocity[p]; }, "velocity"),
-    field<vtkFloatArray, Particles>(
+    field<float, Particles>(
         "force", "N", [](const Particles& s, Row p) { return s.force[p]; },
         "force of contacts, walls and bonds on it, without gravity"),
 };
 
 /// At the ends of the bonds, two rows each: the Tube filter of ParaView needs them there.
 constexpr Field<Bonds> bond_end_fields[] = {
-    field<vtkFloatArray, Bonds>(
+    field<float, Bonds>(
         "radius", "m", [](const Bonds& s, Row end) { return s.radius[end / 2]; }, "radius of the bond"),
 };
 
 constexpr Field<Bonds> bond_fields[] = {
-    field<vtkFloatArray, Bonds>(
+    field<float, Bonds>(
         "normal_force", "N", [](const Bonds& s, Row b) { return s.normal_force[b]; }, "axial force, tension positive"),
-    field<vtkFloatArray, Bonds>(
+    field<float, Bonds>(
         "stress_ratio", "1", [](const Bonds& s, Row b) { return s.stress_ratio[b]; },
         "larger of tensile stress / strength and shear stress / strength; the bond fails at 1"),
 };
 
 constexpr Field<WallTriangles> wall_fields[] = {
-    field<vtkTypeInt32Array, WallTriangles>(
+    field<std::int32_t, WallTriangles>(
         "wall", "1", [](const WallTriangles& s, Row t) { return s.wall[t]; },
         "number of the wall, in the order of the case file"),
 };
 
 /// With output.liners.
 constexpr Field<WallTriangles> load_fields[] = {
-    field<vtkFloatArray, WallTriangles>(
+    field<float, WallTriangles>(
         "pressure", "Pa", [](const WallTriangles& s, Row t) { return s.loads.pressure[t]; },
         "with output.liners: mean pressure of rock since the start"),
-    field<vtkFloatArray, WallTriangles>(
+    field<float, WallTriangles>(
         "sliding_work", "J", [](const WallTriangles& s, Row t) { return s.loads.sliding_work[t]; },
         "with output.liners: work of friction since the start"),
 };
 
 constexpr Field<WallTriangles> wear_fields[] = {
-    field<vtkFloatArray, WallTriangles>(
+    field<float, WallTriangles>(
         "wear", "m", [](const WallTriangles& s, Row t) { return s.loads.wear[t]; },
         "with output.liners.wear_coefficient: depth of wear since the start"),
 };
 
 template <class Source, std::size_t N>
-void add_fields(const Field<Source> (&fields)[N], const Source& source, std::size_t rows, vtkDataSetAttributes* to) {
-  for (const Field<Source>& f : fields) f.add(source, rows, f.name, to);
+void add_fields(const Field<Source> (&fields)[N], const Source& source, std::size_t rows, std::vector<PolyArray>& to) {
+  for (const Field<Source>& f : fields) to.push_back(f.make(source, rows, f.name));
 }
 
 template <class Source, std::size_t N>
@@ -125,32 +118,11 @@ void list_fields(const Field<Source> (&fields)[N], const char* kind, const char*
   for (const Field<Source>& f : fields) all.push_back({kind, row, f.name, f.units, f.width, f.description});
 }
 
-vtkNew<vtkFloatArray> positions(const std::vector<Vec3d>& values) {
-  vtkNew<vtkFloatArray> array;
-  array->SetName("position");
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  for (std::size_t row = 0; row < values.size(); ++row) set_vector(array, row, values[row]);
-  return array;
-}
-
-void set_points(vtkPolyData* data, vtkFloatArray* positions) {
-  vtkNew<vtkPoints> points;
-  points->SetData(positions);
-  data->SetPoints(points);
-}
-
-/// Cells of `corners` points each, with 32-bit numbers.
-template <class Corner>
-vtkNew<vtkCellArray> cells_of(std::size_t count, int corners, Corner corner) {
-  vtkNew<vtkCellArray> cells;
-  cells->Use32BitStorage();
-  cells->AllocateExact(static_cast<vtkIdType>(count), static_cast<vtkIdType>(count) * corners);
-  for (std::size_t cell = 0; cell < count; ++cell) {
-    cells->InsertNextCell(corners);
-    for (int k = 0; k < corners; ++k) cells->InsertCellPoint(static_cast<vtkIdType>(corner(cell, k)));
-  }
-  return cells;
+std::vector<float> positions(const std::vector<Vec3d>& values) {
+  std::vector<float> all;
+  all.reserve(3 * values.size());
+  for (const Vec3d& value : values) append(all, value);
+  return all;
 }
 
 }  // namespace
@@ -166,30 +138,28 @@ std::vector<SnapshotField> snapshot_fields() {
   return all;
 }
 
-vtkNew<vtkPolyData> particle_data(const ParticleSnapshot& s) {
-  vtkNew<vtkPolyData> data;
-  set_points(data, positions(s.position));
+PolyData particle_data(const ParticleSnapshot& s) {
+  PolyData data;
+  data.positions = positions(s.position);
   // One cell holds all points: without a cell ParaView's surface view shows nothing.
-  const auto count = static_cast<int>(s.size());
-  data->SetVerts(cells_of(count > 0 ? 1 : 0, count, [](std::size_t, int k) { return k; }));
-  add_fields(particle_fields, s, s.size(), data->GetPointData());
+  if (s.size() > 0) data.vertices.ends = {static_cast<std::int32_t>(s.size())};
+  data.vertices.points.resize(s.size());
+  std::iota(data.vertices.points.begin(), data.vertices.points.end(), 0);
+  add_fields(particle_fields, s, s.size(), data.point_fields);
   return data;
 }
 
-vtkNew<vtkPolyData> bond_data(const BondSnapshot& s, const ParticleSnapshot& particles) {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkFloatArray> ends;
-  ends->SetNumberOfComponents(3);
-  ends->SetNumberOfTuples(static_cast<vtkIdType>(2 * s.size()));
+PolyData bond_data(const BondSnapshot& s, const ParticleSnapshot& particles) {
+  PolyData data;
   for (std::size_t b = 0; b < s.size(); ++b) {
-    set_vector(ends, 2 * b, particles.position[static_cast<std::size_t>(s.i[b])]);
-    set_vector(ends, 2 * b + 1, particles.position[static_cast<std::size_t>(s.j[b])]);
+    append(data.positions, particles.position[static_cast<std::size_t>(s.i[b])]);
+    append(data.positions, particles.position[static_cast<std::size_t>(s.j[b])]);
+    data.lines.ends.push_back(static_cast<std::int32_t>(2 * b + 2));
   }
-  set_points(data, ends);
-  data->SetLines(
-      cells_of(s.size(), 2, [](std::size_t bond, int end) { return 2 * bond + static_cast<std::size_t>(end); }));
-  add_fields(bond_end_fields, s, 2 * s.size(), data->GetPointData());
-  add_fields(bond_fields, s, s.size(), data->GetCellData());
+  data.lines.points.resize(2 * s.size());
+  std::iota(data.lines.points.begin(), data.lines.points.end(), 0);
+  add_fields(bond_end_fields, s, 2 * s.size(), data.point_fields);
+  add_fields(bond_fields, s, s.size(), data.cell_fields);
   return data;
 }
 
@@ -219,24 +189,21 @@ WallTriangles triangles_of(std::span<const PosedWall> walls) {
 
 }  // namespace
 
-vtkNew<vtkPolyData> wall_data(std::span<const PosedWall> walls) {
-  TriangleMesh all;
+PolyData wall_data(std::span<const PosedWall> walls) {
+  PolyData data;
   for (const PosedWall& wall : walls) {
-    const auto first = static_cast<Index>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), wall.mesh.vertices.begin(), wall.mesh.vertices.end());
-    for (const Vec3<Index>& t : wall.mesh.triangles) all.triangles.push_back({t.x + first, t.y + first, t.z + first});
+    const auto first = static_cast<Index>(data.positions.size() / 3);
+    for (const Vec3d& vertex : wall.mesh.vertices) append(data.positions, vertex);
+    for (const Vec3<Index>& t : wall.mesh.triangles) {
+      data.triangles.points.insert(data.triangles.points.end(), {t.x + first, t.y + first, t.z + first});
+      data.triangles.ends.push_back(static_cast<std::int32_t>(data.triangles.points.size()));
+    }
   }
   const WallTriangles triangles = triangles_of(walls);
-  vtkNew<vtkPolyData> data;
-  set_points(data, positions(all.vertices));
-  data->SetPolys(cells_of(all.triangles.size(), 3, [&](std::size_t t, int k) {
-    const Vec3<Index>& triangle = all.triangles[t];
-    return k == 0 ? triangle.x : k == 1 ? triangle.y : triangle.z;
-  }));
   const std::size_t count = triangles.wall.size();
-  add_fields(wall_fields, triangles, count, data->GetCellData());
-  if (!triangles.loads.pressure.empty()) add_fields(load_fields, triangles, count, data->GetCellData());
-  if (!triangles.loads.wear.empty()) add_fields(wear_fields, triangles, count, data->GetCellData());
+  add_fields(wall_fields, triangles, count, data.cell_fields);
+  if (!triangles.loads.pressure.empty()) add_fields(load_fields, triangles, count, data.cell_fields);
+  if (!triangles.loads.wear.empty()) add_fields(wear_fields, triangles, count, data.cell_fields);
   return data;
 }
 

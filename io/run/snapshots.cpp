@@ -2,14 +2,8 @@
 #include "io/run/snapshots.hpp"
 
 #include "core/base/errors.hpp"
-#include "io/run/replace_file.hpp"
 #include "io/run/snapshot_data.hpp"
 
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -17,30 +11,15 @@
 namespace gyro {
 namespace {
 
-/// @param time  [s]; none for what is the same at all times
-void write_data(const std::filesystem::path& path, vtkPolyData* data, std::optional<double> time) {
-  if (time) {
-    vtkNew<vtkDoubleArray> stamp;
-    stamp->SetName("TimeValue");
-    stamp->InsertNextValue(*time);
-    data->GetFieldData()->AddArray(stamp);
-  }
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  writer->SetHeaderTypeToUInt64();
-  // Into memory, because VTK does not report every failed write to a file.
-  writer->WriteToOutputStringOn();
-  if (writer->Write() != 1) throw OutputError(path.string() + ": cannot write: VTK could not put the data together");
-  replace_file(path, writer->GetOutputString());
-}
-
 std::string frame_file(const std::string& kind, std::size_t frame) {
   std::array<char, 32> number;
   std::snprintf(number.data(), number.size(), "_%06zu.vtp", frame);
   return "snapshots/" + kind + number.data();
+}
+
+PolyData at(double time, PolyData data) {
+  data.time = time;
+  return data;
 }
 
 constexpr const char* fixed_file = "snapshots/walls_fixed.vtp";
@@ -86,16 +65,16 @@ void SnapshotWriter::drop_later_frames() {
 
 void SnapshotWriter::write_fixed(std::span<const PosedWall> walls) {
   if (walls.empty() || has_fixed_) return;
-  write_data(directory_ / fixed_file, wall_data(walls), {});
+  write_vtp(directory_ / fixed_file, wall_data(walls));
   has_fixed_ = true;
 }
 
 void SnapshotWriter::write(const SnapshotFrame& frame) {
   const std::size_t number = times_.size();
   const auto file = [&](const Kind& kind) { return directory_ / frame_file(kind.name, number); };
-  if (frame.particles) write_data(file(particles_), particle_data(*frame.particles), frame.time);
-  if (frame.bonds) write_data(file(bonds_), bond_data(*frame.bonds, *frame.particles), frame.time);
-  if (!frame.walls.empty()) write_data(file(walls_), wall_data(frame.walls), frame.time);
+  if (frame.particles) write_vtp(file(particles_), at(frame.time, particle_data(*frame.particles)));
+  if (frame.bonds) write_vtp(file(bonds_), at(frame.time, bond_data(*frame.bonds, *frame.particles)));
+  if (!frame.walls.empty()) write_vtp(file(walls_), at(frame.time, wall_data(frame.walls)));
   times_.push_back(frame.time);
   // The indices last: they never name a file that is not there.
   if (frame.particles) add_to_index(particles_, true);

@@ -37,6 +37,13 @@ if(GYRO_SANITIZE)
   target_link_options(gyro_compile INTERFACE $<$<LINK_LANGUAGE:CXX>:${sanitize}>)
 endif()
 
+# Bounds of buffers and return addresses are checked at run time.
+if(NOT GYRO_SANITIZE)  # which checks more
+  target_compile_options(gyro_compile INTERFACE
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release,RelWithDebInfo>>:-fstack-protector-strong -D_FORTIFY_SOURCE=3>)
+endif()
+add_link_options(LINKER:-z,relro,-z,now)
+
 # With GYRO_PRECOMPILE, GCC parses the headers of the standard library once for all targets; for most files of io and app
 # that is a third of the compile time. The project's CI builds without it, so every file includes what it
 # uses, and with GYRO_WERROR. Switch it off for a compiler cache: caches do not look into precompiled headers.
