@@ -47,7 +47,10 @@ void set_scene(Scene& scene, const Case& input) {
   scene.gravity = input.gravity;
   scene.substeps = input.numerics.substeps;
   scene.wall_impulses = input.output.liners.has_value();
-  if (input.bonds) scene.bonds = bond_parameters(*input.bonds);
+  if (input.bonds) {
+    scene.bonds = input.bonds->parameters;
+    scene.bond_model = input.bonds->model;
+  }
 }
 
 void set_walls(Assembly& out, const Case& input) {

@@ -40,22 +40,6 @@ void set_regions(FeedPlan& plan, const CaseFeed& feed, const Scene& scene, const
 
 }  // namespace
 
-BondParameters bond_parameters(const CaseBonds& bonds) {
-  BondParameters p;
-  if (const auto* area = std::get_if<StiffnessPerArea>(&bonds.stiffness)) {
-    p.normal_stiffness = area->normal;
-    p.shear_stiffness = area->shear;
-  } else {
-    const auto& modulus = std::get<StiffnessFromModulus>(bonds.stiffness);
-    p.normal_modulus = modulus.modulus;
-    p.shear_modulus = modulus.modulus / modulus.ratio;
-  }
-  p.tensile_strength = bonds.tensile_strength;
-  p.shear_strength = bonds.shear_strength;
-  p.damping = bonds.damping;
-  return p;
-}
-
 BondStrength bond_strength(const Case& input) {
   if (!input.bonds || !input.bonds->scatter) return {};
   return [scatter = *input.bonds->scatter, seed = input.identity.seed](RockId rock, ParticleId i, ParticleId j) {

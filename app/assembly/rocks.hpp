@@ -12,9 +12,6 @@ namespace gyro {
 
 // The rock of a case: bonds, library, start state and feed.
 
-/// Parameters of the bond law.
-BondParameters bond_parameters(const CaseBonds& bonds);
-
 /// Strength of the bonds of a case; empty where all are equally strong.
 BondStrength bond_strength(const Case& input);
 

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laws/bond.hpp"
+#include "core/laws/bond/constants.hpp"
 #include "core/laws/contact/constants.hpp"
 #include "core/laws/contact/models.hpp"
 
 #include <vector>
 
 namespace gyro {
-
-/// Constants of the bonds of a scene that has them.
-inline BondLaw<double> bond_law(const Scene& scene) {
-  const BondParameters& b = *scene.bonds;
-  return {.normal_stiffness = b.normal_stiffness,
-          .shear_stiffness = b.shear_stiffness,
-          .normal_modulus = b.normal_modulus,
-          .shear_modulus = b.shear_modulus,
-          .tensile_strength = b.tensile_strength,
-          .shear_strength = b.shear_strength,
-          .damping = b.damping,
-          .friction = pair_of(scene, scene.rock_material, scene.rock_material).friction,
-          .dt = scene.dt};
-}
 
 /// Owns the choice of a scene's laws and their constants, as kernels take them.
 template <class Exec, class Real>
@@ -31,7 +17,8 @@ class SceneLaws {
       : rock_(contact_constants<Real>(scene, scene.rock_material, scene.rock_material)),
         rock_model_(gyro::rock_model(scene)),
         wall_model_(gyro::wall_model(scene)),
-        bond_(scene.bonds ? cast<Real>(bond_law(scene)) : BondLaw<Real>{}) {
+        bond_model_(scene.bond_model),
+        bond_(scene.bonds ? cast<Real>(bond_constants(scene)) : BondConstants<Real>{}) {
     std::vector<ContactConstants<Real>> walls;
     for (const Wall& wall : scene.walls)
       walls.push_back(contact_constants<Real>(scene, scene.rock_material, wall.material));
@@ -42,12 +29,14 @@ class SceneLaws {
   const ContactConstants<Real>* walls() const { return walls_.data(); }  ///< of a particle and each wall
   ContactModel rock_model() const { return rock_model_; }
   ContactModel wall_model() const { return wall_model_; }
-  const BondLaw<Real>& bond() const { return bond_; }  ///< zero without bonds
+  BondModel bond_model() const { return bond_model_; }
+  const BondConstants<Real>& bond() const { return bond_; }  ///< zero without bonds
 
  private:
   ContactConstants<Real> rock_;
   ContactModel rock_model_, wall_model_;
-  BondLaw<Real> bond_;
+  BondModel bond_model_;
+  BondConstants<Real> bond_;
   typename Exec::template Buffer<ContactConstants<Real>> walls_;
 };
 

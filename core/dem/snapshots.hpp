@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dem/particle_store.hpp"
+#include "core/dem/scene_laws.hpp"
 #include "core/kernels/accounts.hpp"
 #include "core/scene/snapshot.hpp"
 #include "core/state/fragment_labels.hpp"
@@ -74,12 +75,13 @@ ParticleSnapshot particle_snapshot(const ParticleStore<Exec, Real>& rock, const 
 }
 
 template <class Exec, class Real>
-BondSnapshot bond_snapshot(Exec& exec, const ParticleStore<Exec, Real>& rock, const BondLaw<Real>& law) {
+BondSnapshot bond_snapshot(Exec& exec, const ParticleStore<Exec, Real>& rock, const SceneLaws<Exec, Real>& laws) {
   BondSnapshot s;
   if (!rock.has_bonds()) return s;
   typename Exec::template Buffer<BondReading> readings;
   readings.resize(static_cast<std::size_t>(rock.bond_count()));
-  exec.for_each("read bonds", rock.bond_count(), ReadBonds<Real>{rock.read(), rock.read_bonds(), law, readings.data()});
+  exec.for_each("read bonds", rock.bond_count(),
+                ReadBonds<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model(), readings.data()});
   const auto& now = Exec::host(readings);
   const auto& radius = Exec::host(rock.bonds().radius);
   IntactBonds intact = intact_bonds(rock);

@@ -42,7 +42,7 @@ class DemSolver final : public Dem {
   Counts counts() const override;
   Vec3d momentum() const override { return sums().particles().momentum; }
   ParticleSnapshot particles() const override { return particle_snapshot(rock_, scene_.gravity); }
-  BondSnapshot bonds() const override { return bond_snapshot(exec_, rock_, laws_.bond()); }
+  BondSnapshot bonds() const override { return bond_snapshot(exec_, rock_, laws_); }
   std::vector<Breakage> take_breakages() override { return monitor_.take_breakages(); }
   std::vector<WallImpulse> take_wall_impulses() override { return accounts_.take_impulses(); }
   std::vector<std::pair<std::string, double>> phase_seconds() const override { return exec_.timer().seconds(); }

@@ -77,14 +77,16 @@ void DemSolver<Exec, Real>::rebuild_lists() {
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::bond_forces(std::int64_t number) {
-  exec_.for_each_block("bond forces", rock_.block_launch(),
-                       BondForces<Real>{.p = rock_.read(),
-                                        .loads = rock_.view().bond_load,
-                                        .b = rock_.bond_view(),
-                                        .list = rock_.block_list(),
-                                        .law = laws_.bond(),
-                                        .log = monitor_.break_log(scene_.limits.bond_rotation),
-                                        .step = number});
+  with_bond_law(laws_.bond_model(), [&]<class Law>(Law) {
+    exec_.for_each_block("bond forces", rock_.block_launch(),
+                         BondForces<Real, Law>{.p = rock_.read(),
+                                               .loads = rock_.view().bond_load,
+                                               .b = rock_.bond_view(),
+                                               .list = rock_.block_list(),
+                                               .law = laws_.bond(),
+                                               .log = monitor_.break_log(scene_.limits.bond_rotation),
+                                               .step = number});
+  });
 }
 
 template <class Exec, class Real>

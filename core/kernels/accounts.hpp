@@ -3,6 +3,7 @@
 
 #include "core/kernels/bond_forces.hpp"
 #include "core/kernels/wall_forces.hpp"
+#include "core/laws/bond/models.hpp"
 #include "core/laws/contact/models.hpp"
 
 // What the ledger adds up: maps for Exec::reduce. No kernel of the step depends on them.
@@ -137,24 +138,17 @@ struct BondSums {
   }
 };
 
-/// Loads of one bond, outside a step.
-template <class Real>
-GYRO_HD BondLoad<Real> bond_load_now(const ConstBondView<Real>& b, const BondLaw<Real>& law,
-                                     const BondLanes<Real, OneLane>& bond, Index n) {
-  return b.state[n] == bond_intact ? bond_load(law, bond.section, bond.strain_r, bond.rates)
-                                   : pressed_load(law, bond.section, bond.strain_r, bond.rates).load;
-}
-
 template <class Real>
 struct SumBonds {
   ConstParticleView p;
   ConstBondView<Real> b;
-  BondLaw<Real> law;
+  BondConstants<Real> law;
+  BondModel model;
 
   GYRO_HD BondSums operator()(Index n) const {
     if (b.state[n] == bond_broken) return {};
     const BondLanes<Real, OneLane> bond(OneLane{n}, p, b, 0);
-    const double elastic = static_cast<double>(bond_load_now(b, law, bond, n).elastic);
+    const double elastic = static_cast<double>(bond_load(model, law, bond, b.state[n] != bond_intact).elastic);
     if (b.state[n] != bond_intact) return {elastic, 0, 0, 0};
     return {elastic, 1, ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
   }
@@ -170,12 +164,13 @@ template <class Real>
 struct ReadBonds {
   ConstParticleView p;
   ConstBondView<Real> b;
-  BondLaw<Real> law;
+  BondConstants<Real> law;
+  BondModel model;
   BondReading* now;
 
   GYRO_HD void operator()(Index n) const {
     if (b.state[n] != bond_intact) return;
-    const BondLoad<Real> load = bond_load_now(b, law, BondLanes<Real, OneLane>(OneLane{n}, p, b, 0), n);
+    const BondLoad<Real> load = bond_load(model, law, BondLanes<Real, OneLane>(OneLane{n}, p, b, 0), false);
     const Vec3d span = p.position[b.j[n]].x - p.position[b.i[n]].x;
     now[n] = {-dot(cast<double>(load.force), span) / norm(span),
               static_cast<double>(larger(load.tension_ratio, load.shear_ratio))};

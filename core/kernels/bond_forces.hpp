@@ -73,8 +73,9 @@ struct BondLanes {
 /// Forces of the bonds of one block, added to the rows of its particles bond by bond, and failure:
 /// every bond is judged on the state that all of them saw and changes its own state only.
 ///
-/// A kernel for Exec::for_each_block: a block is a rock, its rows are particles, its items are bonds.
-template <class Real>
+/// A kernel for Exec::for_each_block: a block is a rock, its rows are particles, its items are bonds. Law is a bond law
+/// of core/laws/bond/models.hpp.
+template <class Real, class Law>
 struct BondForces {
   using Lane = OneLane;                    ///< of a GPU thread
   using Pack = PackLanes<bond_alignment>;  ///< of a CPU core
@@ -84,7 +85,7 @@ struct BondForces {
   Load* loads;  ///< from bonds, of each particle
   BondView<Real> b;
   BlockList list;
-  BondLaw<Real> law;
+  BondConstants<Real> law;
   BreakLog log;
   std::int64_t step;
 
@@ -110,17 +111,17 @@ struct BondForces {
     const auto state = lanes.load(b.state);
     if (!lanes.any_unbroken(state)) return;
     const BondLanes<Real, Lanes> bond(lanes, p, b, static_cast<double>(law.dt));
-    const BondLaw<R> constants = lanes.spread(law);
+    const BondConstants<R> constants = lanes.spread(law);
 
-    BondLoad<R> load = bond_load(constants, bond.section, bond.strain_r, bond.rates);
+    BondLoad<R> load = Law::load(constants, bond.section, bond.strain_r, bond.rates);
     R slip_work(0);
     const auto intact = lanes.template is_intact<Real>(state);
     const auto broken = intact & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
     if (lanes.any(broken)) note_failures(lanes, block, bond, load, broken, constants);
-    const R turn2 = bond.strain_r.twist * bond.strain_r.twist + norm2(bond.strain_r.bend);
-    if (lanes.any(intact & (turn2 > R(log.rotation_limit * log.rotation_limit)))) raise_flag(log.limit_exceeded);
+    const R rotation2 = bond.strain_r.twist * bond.strain_r.twist + norm2(bond.strain_r.bend);
+    if (lanes.any(intact & (rotation2 > R(log.rotation_limit * log.rotation_limit)))) raise_flag(log.limit_exceeded);
     if (lanes.any_pressed(state)) {
-      const auto pressed = pressed_load(constants, bond.section, bond.strain_r, bond.rates);
+      const auto pressed = Law::pressed(constants, bond.section, bond.strain_r, bond.rates);
       take(load, intact, pressed.load);
       slip_work = select(intact, R(0), pressed.slip_work);
       slip_and_part(lanes, bond, pressed.keep, state);
@@ -142,8 +143,8 @@ struct BondForces {
   /// intact bond, and Verlet's next half kick spends them.
   template <class Lanes, class R, class Mask>
   GYRO_HD void note_failures(const Lanes& lanes, Index block, const BondLanes<Real, Lanes>& bond,
-                             const BondLoad<R>& load, const Mask& broken, const BondLaw<R>& constants) const {
-    const auto after = pressed_load(constants, bond.section, bond.strain_r, bond.rates);
+                             const BondLoad<R>& load, const Mask& broken, const BondConstants<R>& constants) const {
+    const auto after = Law::pressed(constants, bond.section, bond.strain_r, bond.rates);
     const R power = bond_power(load, bond.rates), power_after = bond_power(after.load, bond.rates);
     for (int lane = 0; lane < Lanes::count; ++lane) {
       if (!lanes.test(broken, lane)) continue;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/hd.hpp"
-#include "core/laws/bond.hpp"
+#include "core/laws/bond/bond_load.hpp"
 #include "core/math/quat.hpp"
 #include "core/math/select.hpp"
 #include "core/state/bonds.hpp"
@@ -53,7 +53,7 @@ struct OneLane {
     return gyro::cast<To>(x);
   }
   template <class Real>
-  GYRO_HD BondLaw<Real> spread(const BondLaw<Real>& law) const {
+  GYRO_HD BondConstants<Real> spread(const BondConstants<Real>& law) const {
     return law;
   }
 

@@ -47,7 +47,7 @@ struct PackLanes {
     return pack_cast<To>(x);
   }
   template <class Real>
-  BondLaw<Pack<Real, N>> spread(const BondLaw<Real>& law) const {
+  BondConstants<Pack<Real, N>> spread(const BondConstants<Real>& law) const {
     return gyro::cast<Pack<Real, N>>(law);
   }
 
@@ -97,8 +97,8 @@ struct PackLanes {
  private:
   using FourPacks = std::array<Pack<double, N>, 4>;
 
-  /// The four doubles of N rows, one pack for each place in the row. Rows are loaded whole and
-  /// turned over in registers: half the instructions of a gather number by number.
+  /// The four doubles of N rows, one pack for each column. Rows are loaded whole and transposed in registers: half the
+  /// instructions of a gather number by number.
   template <class Row>
   static FourPacks gather_rows(const Row* rows, const Pack<Index, N>& row) {
     static_assert(sizeof(Row) == 4 * sizeof(double) && N == 8);
@@ -108,7 +108,7 @@ struct PackLanes {
       std::memcpy(&v, rows + row.v[k], sizeof v);
       return v;
     };
-    // Rows k and k + 4 side by side, then rows of equal place interleaved: x0 x1 z0 z1 | x4 x5 z4 z5.
+    // Rows k and k + 4 side by side, then the same columns interleaved: x0 x1 z0 z1 | x4 x5 z4 z5.
     const auto join = [&](int k) { return __builtin_shufflevector(whole(k), whole(k + 4), 0, 1, 2, 3, 4, 5, 6, 7); };
     const auto r0 = join(0), r1 = join(1), r2 = join(2), r3 = join(3);
     const auto xz01 = __builtin_shufflevector(r0, r1, 0, 8, 2, 10, 4, 12, 6, 14);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rocks/linear_rock.hpp"
 
-#include "core/laws/bond_springs.hpp"
+#include "core/laws/bond/springs.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ struct SpringDamper {
   double stiffness, damping;
 };
 
-/// The springs of a bond (core/laws/bond_springs.hpp), each damped by c = 2 xi sqrt(k m_eff), m_eff = the pair's
+/// The springs of a bond (core/laws/bond/springs.hpp), each damped by c = 2 xi sqrt(k m_eff), m_eff = the pair's
 /// reduced mass or moment of inertia.
 struct DampedBond {
   SpringDamper normal, shear, twist, bending;

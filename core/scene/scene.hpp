@@ -3,6 +3,8 @@
 
 #include "core/base/hd.hpp"
 #include "core/math/quat.hpp"
+#include "core/scene/bond_model.hpp"
+#include "core/scene/bond_parameters.hpp"
 #include "core/scene/contact_model.hpp"
 #include "core/scene/triangle_mesh.hpp"
 
@@ -94,18 +96,6 @@ struct WallPose {
 };
 static_assert(declares_every_field<WallPose>);
 
-/// Parameters of all bonds of a scene. k_n = normal_stiffness + normal_modulus/L0 of the bond,
-/// k_s likewise: a case gives one part or the other.
-struct BondParameters {
-  double normal_stiffness = 0;  ///< per area [Pa/m]
-  double shear_stiffness = 0;   ///< per area [Pa/m]
-  double tensile_strength = 0;  ///< sigma_c [Pa]
-  double shear_strength = 0;    ///< tau_c [Pa]
-  double damping = 0;           ///< fraction of critical per mode of the bond [-]
-  double normal_modulus = 0;    ///< [Pa]
-  double shear_modulus = 0;     ///< [Pa]
-};
-
 /// Per-step limits; exceeding one raises a flag. Beyond them the contacts' geometry or the bonds' law fails.
 ///
 /// With a particle and a wall that each move by up to 0.2 R in a step, a particle crosses a thin wall unnoticed only
@@ -123,6 +113,7 @@ struct Scene {
   std::vector<PairProperties> pairs;  ///< square table, materials x materials
   Index rock_material = 0;
   std::optional<BondParameters> bonds;  ///< none: unbreakable spheres, no columns or pass of bonds
+  BondModel bond_model;                 ///< law of the bonds
   std::vector<Wall> walls;
   Vec3d gravity{0, 0, -9.81};
   double dt = 0;              ///< [s]

@@ -2,6 +2,7 @@
 #include "io/case/parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gyro {
 namespace {
@@ -64,6 +65,28 @@ StrengthScatter scatter_of(const Setting& section) {
   return TruncatedNormal{section.number("mean"), section.number("deviation"), range[0], range[1]};
 }
 
+/// Fills a number of the bond law from the key of the same name, if the section has it.
+struct ReadBondNumber {
+  const Setting& section;
+
+  void operator()(const char* name, double& value) const {
+    if (const auto number = number_if(section, name)) value = *number;
+  }
+};
+
+/// With a modulus k_n = modulus/L0 and k_s = k_n/stiffness_ratio, so that a rock is equally stiff whatever the size of
+/// its particles.
+BondParameters bond_parameters_of(const Setting& section) {
+  BondParameters parameters;
+  BondParameters::for_each_field(ReadBondNumber{section}, parameters);
+  if (const auto modulus = number_if(section, "modulus")) {
+    parameters.normal_modulus = *modulus;
+    parameters.shear_modulus = *modulus / section.number("stiffness_ratio");
+  }
+  if (const auto angle = number_if(section, "friction_angle")) parameters.internal_friction = std::tan(*angle);
+  return parameters;
+}
+
 CaseBonds bonds_of(const Setting& section) {
   CaseBonds bonds;
   bonds.rule.gap = section.number("gap");
@@ -73,13 +96,8 @@ CaseBonds bonds_of(const Setting& section) {
     bonds.rule.radius = ContactAreaBond{*area};
   else
     bonds.rule.radius = AbsoluteBondRadius{section.number("radius.absolute")};
-  if (const auto modulus = number_if(section, "modulus"))
-    bonds.stiffness = StiffnessFromModulus{*modulus, section.number("stiffness_ratio")};
-  else
-    bonds.stiffness = StiffnessPerArea{section.number("normal_stiffness"), section.number("shear_stiffness")};
-  bonds.tensile_strength = section.number("tensile_strength");
-  bonds.shear_strength = section.number("shear_strength");
-  bonds.damping = section.number("damping");
+  bonds.parameters = bond_parameters_of(section);
+  bonds.model = {BondFailure{place_in(bond_failure_words, section.text("failure"))}};
   if (const Setting* scatter = section.find("strength_scatter")) bonds.scatter = scatter_of(*scatter);
   return bonds;
 }

@@ -41,25 +41,12 @@ struct CaseContact {
   PairProperties properties;
 };
 
-/// Bond stiffness per area of section: k_n and k_s are the same for all bonds.
-struct StiffnessPerArea {
-  double normal = 0, shear = 0;  ///< [Pa/m]
-};
-
-/// Bond stiffness from a modulus: k_n = modulus / L0, k_s = k_n / ratio, so that a rock is equally
-/// stiff whatever the size of its particles.
-struct StiffnessFromModulus {
-  double modulus = 0;  ///< of the bond's material [Pa]
-  double ratio = 1;    ///< k_n / k_s [-]
-};
-
 /// `bonds`.
 struct CaseBonds {
   BondRule rule;
-  std::variant<StiffnessPerArea, StiffnessFromModulus> stiffness;
-  double tensile_strength = 0, shear_strength = 0;  ///< [Pa]
-  double damping = 0;                               ///< fraction of critical per mode of the bond [-]
-  std::optional<StrengthScatter> scatter;           ///< none: all bonds are equally strong
+  BondParameters parameters;
+  BondModel model;
+  std::optional<StrengthScatter> scatter;  ///< none: all bonds are equally strong
 };
 
 /// `rocks`: the library of meta-particles.

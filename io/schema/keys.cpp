@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/schema/keys.hpp"
+#include "core/scene/bond_model.hpp"
 #include "core/scene/contact_model.hpp"
 
 namespace gyro {
@@ -65,6 +66,12 @@ const std::vector<Key> material_keys = {
      .doc = "Tensile stress, from tension and bending, at which a bond with strength factor 1 breaks."},
     {.path = "bonds.shear_strength", .type = quantity, .dimension = pressure, .required = true, .range = positive,
      .doc = "Shear stress, from shear and torsion, at which a bond with strength factor 1 breaks."},
+    {.path = "bonds.failure", .type = word, .fallback = "constant", .words = bond_failure_words,
+     .doc = "Failure criterion: constant strengths, or a shear strength that rises with the compression of the bond."},
+    {.path = "bonds.friction_angle", .type = quantity, .dimension = Dimension::angle, .range = {.low = 0, .high = 1.4},
+     .when = "failure=mohr_coulomb",
+     .doc = "Friction angle of an intact bond: compression adds tan(friction_angle) x mean compressive stress to its shear strength; "
+            "strength factors do not scale this part."},
     {.path = "bonds.radius", .required = true, .one_of = "relative|absolute|area", .doc = "Radius of the cross-section of a bond."},
     {.path = "bonds.radius.relative", .type = quantity, .range = {.low = 0, .high = 2, .low_open = true},
      .doc = "Bond radius / smaller particle radius."},

@@ -46,8 +46,9 @@ class Press {
  public:
   static constexpr int steps = 10000;
 
-  Press(const Loading& loading, Precision precision, double strength = 1, double radius_j = grain / 2)
-      : stage_(bonded_scene(dt, paper_bonds(), {friction, 1, 0}), precision) {
+  Press(const Loading& loading, Precision precision, double strength = 1, double radius_j = grain / 2,
+        BondFailure failure = BondFailure::constant)
+      : stage_(scene(failure), precision) {
     const double rate = 1 / ((steps - 0.5) * dt), length = grain / 2 + radius_j;
     const Vec3d drift{10, -20, 5};
     NewRock pair;
@@ -75,7 +76,16 @@ class Press {
 
   static constexpr double friction = 0.5;
 
+  static constexpr double internal_friction = 0.6;  ///< of BondFailure::mohr_coulomb
+
  private:
+  static Scene scene(BondFailure failure) {
+    Scene scene = bonded_scene(dt, paper_bonds(), {friction, 1, 0});
+    scene.bonds->internal_friction = internal_friction;
+    scene.bond_model.failure = failure;
+    return scene;
+  }
+
   static constexpr double dt = 1e-6;
   Stage stage_;
   std::array<Vec3d, 2> at_start_;  ///< angular velocities [rad/s]
@@ -112,16 +122,21 @@ void unequal_arms(Recorder& out) {
                {1e-6, 1e-6}, theory);
 }
 
-/// The bond fails in the first step after complete loading, not before.
-void fails(Recorder& out, const std::string& name, const Loading& loading, BreakMode mode, double strength = 1,
-           double steps_off = 1e-6) {
-  Press press(loading, out.precision(), strength);
+/// The bond of a press fails in the first step after complete loading, not before.
+void fails_in(Press press, Recorder& out, const std::string& name, BreakMode mode, double steps_off = 1e-6,
+              const std::string& reference = source) {
   press.stage().advance(Press::steps + 100);
   const std::vector<Breakage> broken = press.stage().dem().take_breakages();
   const bool once = broken.size() == 1;
   out.absolute(name + "-step-of-failure", once ? broken[0].time / press.stage().dt() : -1, Press::steps,
-               {steps_off, steps_off}, source);
-  out.absolute(name + "-mode", once ? static_cast<int>(broken[0].mode) : 0, static_cast<int>(mode), {0, 0}, source);
+               {steps_off, steps_off}, reference);
+  out.absolute(name + "-mode", once ? static_cast<int>(broken[0].mode) : 0, static_cast<int>(mode), {0, 0}, reference);
+}
+
+/// The same under constant strength.
+void fails(Recorder& out, const std::string& name, const Loading& loading, BreakMode mode, double strength = 1,
+           double steps_off = 1e-6) {
+  fails_in(Press(loading, out.precision(), strength), out, name, mode, steps_off);
 }
 
 /// The load just before failure, and the energy that failure releases.
@@ -181,6 +196,35 @@ void independent(Recorder& out) {
   fails(out, "torsion-with-99-bending", 0.99 * bow + wring, BreakMode::shear);
   // Pressure has shortened the bond by 1e-4, so the same slide is a larger angle: it fails two steps earlier.
   fails(out, "shear-under-pressure", -0.1 * pull + shove, BreakMode::shear, 1, 2);
+}
+
+/// Slide [m] at which a bond that is shortened by `shorter` [m] without rotation of its ends fails in shear:
+///
+///   ks L0^2 (L0 - u) v/L^3 = tau_c + tan(phi) max(0, -kn (L - L0))        L^2 = (L0 - u)^2 + v^2
+double slide_at_failure(double shorter, double tan_phi) {
+  const BondParameters b = paper_bonds();
+  double v = slide;
+  for (int k = 0; k < 50; ++k) {
+    const double length = std::hypot(grain - shorter, v);
+    const double strength = b.shear_strength + tan_phi * std::max(0.0, b.normal_stiffness * (grain - length));
+    v = strength * std::pow(length, 3) / (b.shear_stiffness * grain * grain * (grain - shorter));
+  }
+  return v;
+}
+
+/// Compression strengthens a bond against shear; tension does not weaken it, nor does it fail at another tension.
+void mohr_coulomb(Recorder& out) {
+  const std::string theory = "tau_c + tan(phi) x pressure: Potyondy, ARMA 12-501 (2012)";
+  const auto fails_at = [&](const std::string& name, const Loading& loading, BreakMode mode) {
+    fails_in({loading, out.precision(), 1, grain / 2, BondFailure::mohr_coulomb}, out, name, mode, 1e-6, theory);
+  };
+  for (const int percent : {50, 200, 1000}) {
+    const double shorter = 0.01 * percent * stretch, v = slide_at_failure(shorter, Press::internal_friction);
+    fails_at("push-" + std::to_string(percent), {{-shorter, 0.6 * v, 0.8 * v}}, BreakMode::shear);
+  }
+  const double longer = 0.5 * stretch, v = slide_at_failure(-longer, Press::internal_friction);
+  fails_at("pull-50", {{longer, 0.6 * v, 0.8 * v}}, BreakMode::shear);
+  fails_at("tension", pull, BreakMode::tension);
 }
 
 /// By how much the pair has approached since the start [m], and the forces between the two [N].
@@ -262,9 +306,16 @@ void damping(Recorder& out) {
 
 std::vector<Verification> bond_cases() {
   return {
-      {"bond/stiffness", stiffness},     {"bond/unequal-spheres", unequal_arms},  {"bond/tension", tension},
-      {"bond/shear", shearing},          {"bond/moments", bending_and_torsion},   {"bond/combined", combined},
-      {"bond/independent", independent}, {"bond/broken-pressed", broken_pressed}, {"bond/damping", damping},
+      {"bond/stiffness", stiffness},
+      {"bond/unequal-spheres", unequal_arms},
+      {"bond/tension", tension},
+      {"bond/shear", shearing},
+      {"bond/moments", bending_and_torsion},
+      {"bond/combined", combined},
+      {"bond/independent", independent},
+      {"bond/broken-pressed", broken_pressed},
+      {"bond/damping", damping},
+      {"bond/mohr-coulomb", mohr_coulomb},
   };
 }
 

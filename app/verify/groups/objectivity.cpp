@@ -6,7 +6,7 @@
 #include "app/verify/fixtures/scenes.hpp"
 #include "app/verify/fixtures/stage.hpp"
 #include "app/verify/verification.hpp"
-#include "core/laws/bond.hpp"
+#include "core/laws/bond/bond_load.hpp"
 #include "core/rocks/stability.hpp"
 
 #include <algorithm>
@@ -20,17 +20,6 @@ namespace {
 using namespace fixtures;
 using std::numbers::pi;
 
-template <class T>
-BondLaw<T> law_of(const BondParameters& b) {
-  BondLaw<T> law{};
-  law.normal_stiffness = static_cast<T>(b.normal_stiffness);
-  law.shear_stiffness = static_cast<T>(b.shear_stiffness);
-  law.tensile_strength = static_cast<T>(b.tensile_strength);
-  law.shear_strength = static_cast<T>(b.shear_strength);
-  law.dt = T(1e-6);
-  return law;
-}
-
 /// Loads of a bond for these positions of its ends, computed as in the kernel.
 template <class T>
 BondLoad<double> load_of(const BondEnds<double>& ends) {
@@ -38,8 +27,9 @@ BondLoad<double> load_of(const BondEnds<double>& ends) {
   const BondStrain<T> strain{cast<T>(s.normal),       static_cast<T>(s.length), static_cast<T>(s.stretch),
                              static_cast<T>(s.along), cast<T>(s.shear),         static_cast<T>(s.twist),
                              cast<T>(s.bend)};
+  const BondConstants<T> law = cast<T>(BondConstants<double>{paper_bonds(), 0, 1e-6});
   const BondSection<T> section{T(grain_bond), T(1), T(1), T(1), T(0.5), T(grain)};
-  const BondLoad<T> load = bond_load(law_of<T>(paper_bonds()), section, strain, {});
+  const BondLoad<T> load = BondLaw<ConstantStrength>::load(law, section, strain, {});
   return {cast<double>(load.force), cast<double>(load.torque_i), cast<double>(load.torque_j), 0, 0, 0, 0};
 }
 

@@ -38,7 +38,7 @@ struct ContactLaw {
     out.history = {friction.elastic, c.overlap, drag};
     out.damped = T(-0.5) * law.dt * dot(history.drag + drag, c.velocity);
     if constexpr (Normal::has_hysteresis) out.damped = out.damped + normal.damped;
-    if constexpr (Rolling::has_dashpot) out.damped = out.damped + roll.damped;
+    if constexpr (Rolling::has_spring) out.damped = out.damped + roll.damped;
     out.slipped = friction.slipped + roll.slipped;
     return out;
   }
@@ -49,14 +49,19 @@ struct ContactLaw {
                           const ExtraHistory<T>& extra) {
     const T sliding = friction_energy(Normal::tangential_stiffness(law, radius, h.overlap), h.elastic);
     const T energy = Normal::energy(law, radius, h.overlap, extra) + sliding;
-    if constexpr (!Rolling::keeps_extra_history) return energy;
-    return energy + Rolling::energy(law, radius, Normal::stiffness(law, radius, h.overlap), extra);
+    if constexpr (Rolling::has_spring)
+      return energy + Rolling::energy(law, radius, Normal::stiffness(law, radius, h.overlap), extra);
+    else
+      return energy;
   }
 
   /// @param radius  R* [m]
   GYRO_HD static ContactStiffness stiffness(const ContactConstants<double>& law, double radius, double overlap) {
-    return {Normal::max_stiffness(law, radius, overlap), Normal::tangential_stiffness(law, radius, overlap),
-            Rolling::stiffness(law, radius, Normal::stiffness(law, radius, overlap)), Normal::damping_ratio(law)};
+    double rolling = 0;
+    if constexpr (Rolling::has_spring)
+      rolling = Rolling::stiffness(law, radius, Normal::stiffness(law, radius, overlap));
+    return {Normal::max_stiffness(law, radius, overlap), Normal::tangential_stiffness(law, radius, overlap), rolling,
+            Normal::damping_ratio(law)};
   }
 };
 

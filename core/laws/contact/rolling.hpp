@@ -3,7 +3,8 @@
 
 #include "core/laws/contact/contact.hpp"
 
-// The laws of rolling resistance. Each gives the couple on i; j receives the opposite.
+// The laws of rolling resistance. Each gives the couple on i; j receives the opposite. A law that has_spring also gives
+// the stiffness and the energy of its spring, and has a dashpot.
 
 namespace gyro {
 
@@ -25,20 +26,12 @@ struct RollingState {
 
 /// No rolling resistance: chosen where the coefficient is zero.
 struct NoRolling {
-  static constexpr bool keeps_extra_history = false, has_dashpot = false;
+  static constexpr bool keeps_extra_history = false, has_spring = false;
 
   template <class T>
   GYRO_HD static RollingLoad<T> load(const ContactConstants<T>&, const ContactMotion<T>&, const RollingState<T>&,
                                      ExtraHistory<T>&) {
     return {{T(0), T(0), T(0)}, T(0), T(0)};
-  }
-  template <class T>
-  GYRO_HD static T stiffness(const ContactConstants<T>&, T, T) {
-    return T(0);
-  }
-  template <class T>
-  GYRO_HD static T energy(const ContactConstants<T>&, T, T, const ExtraHistory<T>&) {
-    return T(0);
   }
 };
 
@@ -52,7 +45,7 @@ struct NoRolling {
 /// Source: type A of Ai, Chen, Rotter & Ooi, Powder Technol. 206 (2011) 269. Departure: theirs keeps its full size at
 /// rest and chatters there.
 struct ConstantRolling {
-  static constexpr bool keeps_extra_history = false, has_dashpot = false;
+  static constexpr bool keeps_extra_history = false, has_spring = false;
 
   template <class T>
   GYRO_HD static RollingLoad<T> load(const ContactConstants<T>& law, const ContactMotion<T>& c,
@@ -63,14 +56,6 @@ struct ConstantRolling {
     out.slipped = -(law.dt * dot(out.couple, s.roll));
     out.damped = T(0);
     return out;
-  }
-  template <class T>
-  GYRO_HD static T stiffness(const ContactConstants<T>&, T, T) {
-    return T(0);
-  }
-  template <class T>
-  GYRO_HD static T energy(const ContactConstants<T>&, T, T, const ExtraHistory<T>&) {
-    return T(0);
   }
 };
 
@@ -87,7 +72,7 @@ struct ConstantRolling {
 /// Source: type C of Ai, Chen, Rotter & Ooi, Powder Technol. 206 (2011) 269, eqs. for kr and cr in three dimensions.
 /// Departure: their Ir sums 1/(I + m R^2) of both bodies, which is 7/2 I* of unequal spheres only nearly.
 struct SpringDashpotRolling {
-  static constexpr bool keeps_extra_history = true, has_dashpot = true;
+  static constexpr bool keeps_extra_history = true, has_spring = true;
 
   template <class T>
   GYRO_HD static RollingLoad<T> load(const ContactConstants<T>& law, const ContactMotion<T>& c,

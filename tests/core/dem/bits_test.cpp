@@ -108,6 +108,23 @@ TEST_CASE("The number of threads changes no bit", "[dem][bits]") {
   }
 }
 
+TEST_CASE("The failure criterion of Mohr and Coulomb: no bit changes with threads, nor without friction",
+          "[dem][bits][bond]") {
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
+  Scene scene = busy_scene();
+  const Outcome constant = outcome(scene, precision, 1, busy_rocks(3), 150);
+  scene.bond_model.failure = BondFailure::mohr_coulomb;
+  check_same(constant, outcome(scene, precision, 1, busy_rocks(3), 150));
+  scene.bonds->internal_friction = 1;
+  const Outcome one = outcome(scene, precision, 1, busy_rocks(3), 150);
+  REQUIRE(one.breakages.size() > 20);
+  CHECK(!same_breakages(one.breakages, constant.breakages));
+  for (const int threads : {2, 7}) {
+    INFO(threads << " threads");
+    check_same(one, outcome(scene, precision, threads, busy_rocks(3), 150));
+  }
+}
+
 TEST_CASE("The skin of the neighbour lists changes no bit", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   Scene scene = busy_scene();

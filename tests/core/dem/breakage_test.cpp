@@ -84,6 +84,34 @@ TEST_CASE("Shear failure in compression does not change the normal force", "[dem
   CHECK(std::abs(dem->energy().residual()) < 0.01 * work);
 }
 
+TEST_CASE("A bond under compression and shear breaks at the force of its failure criterion", "[dem][bond]") {
+  // Ends of fixed speed, without rotation: both loads grow evenly. Rb = 5 mm, tau_c = 24 MPa, phi = 30 deg.
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
+  const bool mohr = GENERATE(false, true);
+  const double dt = 1e-6, area = 78.539816e-6, cohesion = 24e6 * area, tan_phi = mohr ? 0.5773502692 : 0;
+  Scene scene = bond_scene(dt);
+  scene.bond_model.failure = mohr ? BondFailure::mohr_coulomb : BondFailure::constant;
+  scene.bonds->internal_friction = 0.5773502692;  // without effect on constant strength
+  const auto dem = make_cpu_dem(scene, precision, 1);
+  const std::vector<NewRock> rocks{bonded_pair({}, {-0.002, 0.006, 0}, 1, {.density = immovable})};
+  dem->insert(rocks);
+  std::int64_t step = 0;
+  double push = 0, shear = 0;
+  while (dem->counts().bonds_intact == 1 && step < 20000) {
+    run(*dem, dt, step, 1);
+    const ParticleSnapshot s = dem->particles();
+    const Vec3d span = s.position[1] - s.position[0], n = (1 / norm(span)) * span;
+    push = dot(s.force[1], n);  // the step of failure has the loads of the intact bond
+    shear = norm(tangential(s.force[1], n));
+  }
+  REQUIRE(dem->take_breakages().at(0).mode == BreakMode::shear);
+  const double growth = 2.0 / static_cast<double>(step);  // loads per step, at least
+  CHECK(push > 0.6 * cohesion);
+  CHECK(shear >= (cohesion + tan_phi * push) * (1 - 1e-5));
+  CHECK(shear < (cohesion + tan_phi * push) * (1 + growth));
+  CHECK(dem->bonds().i.empty());
+}
+
 TEST_CASE("A pair whose bond is broken touches as spheres do, before the lists are rebuilt", "[dem][bond][contact]") {
   // Sheared apart while pressed, or torn; the right one rebounds from a wall and hits the left one.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);

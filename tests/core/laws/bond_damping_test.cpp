@@ -14,43 +14,44 @@ namespace {
 struct Mode {
   const char* name;
   double stiffness, inertia;
-  std::function<double(const BondLaw<double>&, double u, double v)> load;
+  std::function<double(const BondConstants<double>&, double u, double v)> load;
 };
 
-BondLoad<double> loaded(const BondLaw<double>& law, const Ends& ends, const BondRates<double>& rates) {
-  return bond_load(law, paper_section(), strain_of(ends), rates);
+BondLoad<double> loaded(const BondConstants<double>& law, const Ends& ends, const BondRates<double>& rates) {
+  return PaperBond::load(law, paper_section(), strain_of(ends), rates);
 }
 
-double along(const BondLaw<double>& law, double u, double v) {
+double along(const BondConstants<double>& law, double u, double v) {
   Ends e;
   e.j.x += u;
   return loaded(law, e, {{v, 0, 0}, {0, 0, 0}, {0, 0, 0}}).force.x;
 }
 /// The ends do not rotate, as if their inertia were infinite.
-double across(const BondLaw<double>& law, double u, double v) {
+double across(const BondConstants<double>& law, double u, double v) {
   Ends e;
   e.j.y += u;
   return loaded(law, e, {{0, v, 0}, {0, 0, 0}, {0, 0, 0}}).force.y;
 }
-double turning(const BondLaw<double>& law, const Vec3d& axis, double u, double v) {
+double turning(const BondConstants<double>& law, const Vec3d& axis, double u, double v) {
   Ends e;
   e.orientation_i = rotation_about(axis, -u / 2);
   e.orientation_j = rotation_about(axis, u / 2);
   return dot(loaded(law, e, {{0, 0, 0}, (-v / 2) * axis, (v / 2) * axis}).torque_j, axis);
 }
 
-const Mode modes[] = {{"normal", normal_rate, sphere_mass() / 2, along},
-                      {"shear", shear_rate, sphere_mass() / 2, across},
-                      {"bending", bend_rate, sphere_inertia() / 2,
-                       [](const BondLaw<double>& law, double u, double v) {
-                         return turning(law, {0, 1, 0}, u, v);
-                       }},
-                      {"twist", twist_rate, sphere_inertia() / 2, [](const BondLaw<double>& law, double u, double v) {
-                         return turning(law, {1, 0, 0}, u, v);
-                       }}};
+const Mode modes[] = {
+    {"normal", normal_rate, sphere_mass() / 2, along},
+    {"shear", shear_rate, sphere_mass() / 2, across},
+    {"bending", bend_rate, sphere_inertia() / 2,
+     [](const BondConstants<double>& law, double u, double v) {
+       return turning(law, {0, 1, 0}, u, v);
+     }},
+    {"twist", twist_rate, sphere_inertia() / 2, [](const BondConstants<double>& law, double u, double v) {
+       return turning(law, {1, 0, 0}, u, v);
+     }}};
 
 /// The coordinate after a time, from u0 at rest, by the classical Runge-Kutta scheme.
-double released(const Mode& mode, const BondLaw<double>& law, double u0, double time, int steps) {
+double released(const Mode& mode, const BondConstants<double>& law, double u0, double time, int steps) {
   const double h = time / steps;
   double u = u0, v = 0;
   const auto f = [&](double a, double b) { return mode.load(law, a, b) / mode.inertia; };
@@ -67,8 +68,8 @@ double released(const Mode& mode, const BondLaw<double>& law, double u0, double 
 
 TEST_CASE("Each mode of a bond decays at its fraction of critical", "[laws][bond]") {
   const double xi = GENERATE(0.0, 0.05, 0.3);
-  BondLaw<double> law = paper_law();
-  law.damping = xi;
+  BondConstants<double> law = paper_law();
+  law.bond.damping = xi;
   for (const Mode& mode : modes) {
     INFO(mode.name);
     const double omega = std::sqrt(mode.stiffness / mode.inertia), u0 = 1e-8;
@@ -83,15 +84,15 @@ TEST_CASE("Each mode of a bond decays at its fraction of critical", "[laws][bond
 }
 
 TEST_CASE("The damping that a bond reports is the work of the damping loads", "[laws][bond]") {
-  BondLaw<double> law = paper_law();
-  law.damping = 0.07;
+  BondConstants<double> law = paper_law();
+  law.bond.damping = 0.07;
   for (std::uint64_t k = 0; k < 20; ++k) {
     const double arm = 0.5 + 0.3 * random_number(k, 50);
     const Ends ends = strained(k, 3e-3);
     const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
     const BondStrain<double> strain = strain_of(ends, arm);
-    const BondLoad<double> with = bond_load(law, paper_section(arm), strain, rates);
-    const BondLoad<double> without = bond_load(paper_law(), paper_section(arm), strain, rates);
+    const BondLoad<double> with = PaperBond::load(law, paper_section(arm), strain, rates);
+    const BondLoad<double> without = PaperBond::load(paper_law(), paper_section(arm), strain, rates);
     const double power = -dot(with.force - without.force, rates.velocity) -
                          dot(with.torque_i - without.torque_i, rates.angular_velocity_i) -
                          dot(with.torque_j - without.torque_j, rates.angular_velocity_j);

@@ -97,18 +97,18 @@ TEST_CASE("The factor of a bond scales both strengths and nothing else", "[laws]
   BondSection<double> strong = paper_section();
   strong.strength = 1.6;
   const BondStrain<double> strain = strain_of(strained(3, 3e-3));
-  const BondLoad<double> a = bond_load(paper_law(), paper_section(), strain, at_rest());
-  const BondLoad<double> b = bond_load(paper_law(), strong, strain, at_rest());
+  const BondLoad<double> a = PaperBond::load(paper_law(), paper_section(), strain, at_rest());
+  const BondLoad<double> b = PaperBond::load(paper_law(), strong, strain, at_rest());
   CHECK(a.tension_ratio / b.tension_ratio == Approx(1.6));
   CHECK(a.shear_ratio / b.shear_ratio == Approx(1.6));
   CHECK(norm(a.force) == norm(b.force));
 }
 
 TEST_CASE("Stiffness given as a modulus falls with the length", "[laws][bond]") {
-  BondLaw<double> law = paper_law();
-  law.normal_stiffness = law.shear_stiffness = 0;
-  law.normal_modulus = 1.67e12 * bond_length;
-  law.shear_modulus = 6.67e11 * bond_length;
+  BondConstants<double> law = paper_law();
+  law.bond.normal_stiffness = law.bond.shear_stiffness = 0;
+  law.bond.normal_modulus = 1.67e12 * bond_length;
+  law.bond.shear_modulus = 6.67e11 * bond_length;
   const Ends ends = strained(5, 3e-3);
   const BondLoad<double> a = load_of(ends), b = load_of(ends, law);
   CHECK(distance(a.force, b.force) < 1e-12 * norm(a.force));
@@ -118,5 +118,5 @@ TEST_CASE("Stiffness given as a modulus falls with the length", "[laws][bond]") 
   twice.length = 2 * bond_length;
   BondStrain<double> strain = strain_of(stretched(1e-6));
   strain.length += bond_length;
-  CHECK(-bond_load(law, twice, strain, at_rest()).force.x == Approx(0.5 * normal_rate * 1e-6).epsilon(1e-6));
+  CHECK(-PaperBond::load(law, twice, strain, at_rest()).force.x == Approx(0.5 * normal_rate * 1e-6).epsilon(1e-6));
 }

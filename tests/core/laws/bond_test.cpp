@@ -65,13 +65,13 @@ TEST_CASE("The loads of a bond are the gradient of its energy at any strain", "[
 
 TEST_CASE("A bond gives and takes no angular momentum", "[laws][bond]") {
   const double arm = GENERATE(0.5, 0.3, 0.85);
-  BondLaw<double> law = paper_law();
-  law.damping = 0.1;
+  BondConstants<double> law = paper_law();
+  law.bond.damping = 0.1;
   for (std::uint64_t k = 0; k < 50; ++k) {
     const Ends ends = strained(k, 4e-3);
     const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
     const BondStrain<double> strain = strain_of(ends, arm);
-    const BondLoad<double> intact = bond_load(law, paper_section(arm), strain, rates);
+    const BondLoad<double> intact = PaperBond::load(law, paper_section(arm), strain, rates);
     const BondLoad<double> loose = pressed_load(law, paper_section(arm), strain, rates).load;
     for (const BondLoad<double>& load : {intact, loose}) {
       const Vec3d lack = load.torque_i + load.torque_j + cross(ends.j - ends.i, load.force);
@@ -82,8 +82,8 @@ TEST_CASE("A bond gives and takes no angular momentum", "[laws][bond]") {
 
 TEST_CASE("A rigid rotation changes no load of a bond", "[laws][bond]") {
   const double arm = GENERATE(0.5, 0.3);
-  BondLaw<double> law = paper_law();
-  law.damping = 0.1;
+  BondConstants<double> law = paper_law();
+  law.bond.damping = 0.1;
   for (std::uint64_t k = 0; k < 50; ++k) {
     const Ends ends = strained(k, 4e-3);
     const BondRates<double> rates{random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
@@ -92,8 +92,9 @@ TEST_CASE("A rigid rotation changes no load of a bond", "[laws][bond]") {
     const BondEnds<double> there{rotate(q, here.span), q * here.orientation_i, q * here.orientation_j};
     const BondRates<double> rates_there{rotate(q, rates.velocity), rotate(q, rates.angular_velocity_i),
                                         rotate(q, rates.angular_velocity_j)};
-    const BondLoad<double> a = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), here), rates);
-    const BondLoad<double> b = bond_load(law, paper_section(arm), bond_strain(paper_shape(arm), there), rates_there);
+    const BondLoad<double> a = PaperBond::load(law, paper_section(arm), bond_strain(paper_shape(arm), here), rates);
+    const BondLoad<double> b =
+        PaperBond::load(law, paper_section(arm), bond_strain(paper_shape(arm), there), rates_there);
     const double force = norm(a.force) + 1884.956, torque = norm(a.torque_i) + norm(a.torque_j) + 3.534;
     CHECK(distance(rotate(q, a.force), b.force) < 2e-12 * force);
     CHECK(distance(rotate(q, a.torque_i), b.torque_i) < 2e-12 * torque);
@@ -105,15 +106,15 @@ TEST_CASE("A rigid rotation changes no load of a bond", "[laws][bond]") {
 }
 
 TEST_CASE("A rigid motion loads no bond and is not damped", "[laws][bond]") {
-  BondLaw<double> law = paper_law();
-  law.damping = 0.3;
+  BondConstants<double> law = paper_law();
+  law.bond.damping = 0.3;
   for (std::uint64_t k = 0; k < 20; ++k) {
     const double arm = 0.5 + 0.4 * random_number(k, 40);
     const Quatd q = random_orientation(k, 0);
     Ends ends;
     ends.j = rotate(q, ends.j);
     ends.orientation_i = ends.orientation_j = q;
-    const BondLoad<double> load = bond_load(law, paper_section(arm), strain_of(ends, arm), {});
+    const BondLoad<double> load = PaperBond::load(law, paper_section(arm), strain_of(ends, arm), {});
     CHECK(norm(load.force) < 1e-8);      // of 2827 N
     CHECK(norm(load.torque_j) < 1e-10);  // of 3.5 N m
     CHECK(load.elastic < 1e-18);
@@ -122,8 +123,8 @@ TEST_CASE("A rigid motion loads no bond and is not damped", "[laws][bond]") {
     const Vec3d angular_velocity = 100.0 * random_vector(k, 4);
     const BondRates<double> rates{cross(angular_velocity, ends.j - ends.i), angular_velocity, angular_velocity};
     ends.j = ends.j + (0.5 * law.dt) * rates.velocity;
-    const BondLoad<double> still = bond_load(law, paper_section(arm), strain_of(ends, arm), {});
-    const BondLoad<double> turning = bond_load(law, paper_section(arm), strain_of(ends, arm), rates);
+    const BondLoad<double> still = PaperBond::load(law, paper_section(arm), strain_of(ends, arm), {});
+    const BondLoad<double> turning = PaperBond::load(law, paper_section(arm), strain_of(ends, arm), rates);
     CHECK(norm(turning.force - still.force) < 1e-8);
     CHECK(norm(turning.torque_j - still.torque_j) < 1e-10);
     CHECK(std::abs(turning.damped) < 1e-20);

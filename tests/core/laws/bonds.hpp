@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/verify/fixtures/random.hpp"
-#include "core/laws/bond.hpp"
+#include "core/laws/bond/bond_load.hpp"
 
 #include <cmath>
 
@@ -18,8 +18,11 @@ inline constexpr double shear_rate = 5.238606e7;   ///< ks A [N/m]
 inline constexpr double bend_rate = 819.759;       ///< kn I [N m]
 inline constexpr double twist_rate = 654.826;      ///< ks J [N m]
 
-inline BondLaw<double> paper_law() {
-  return {1.67e12, 6.67e11, 0, 0, 36e6, 24e6, 0, 0.5, 1e-6};
+/// Most tests use the law with constant strengths.
+using PaperBond = BondLaw<ConstantStrength>;
+
+inline BondConstants<double> paper_law() {
+  return {{1.67e12, 6.67e11, 36e6, 24e6}, 0.5, 1e-6};
 }
 
 inline double sphere_mass() {
@@ -57,8 +60,8 @@ inline BondShape<double> paper_shape(double arm = 0.5) {
 inline BondStrain<double> strain_of(const Ends& ends, double arm = 0.5) {
   return bond_strain(paper_shape(arm), ends.relative());
 }
-inline BondLoad<double> load_of(const Ends& ends, const BondLaw<double>& law = paper_law(), double arm = 0.5) {
-  return bond_load(law, paper_section(arm), strain_of(ends, arm), at_rest());
+inline BondLoad<double> load_of(const Ends& ends, const BondConstants<double>& law = paper_law(), double arm = 0.5) {
+  return PaperBond::load(law, paper_section(arm), strain_of(ends, arm), at_rest());
 }
 
 /// Ends at any position and orientation, with stretch, shear and relative rotation of size `strain`.

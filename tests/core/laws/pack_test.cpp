@@ -64,12 +64,26 @@ bool same(const BondLoad<Pack<T, lanes>>& pack, int lane, const BondLoad<T>& one
          pack.damped[lane] == one.damped;
 }
 
+template <class T>
+struct OfConstantStrength {
+  using Number = T;
+  using Law = BondLaw<ConstantStrength>;
+};
+template <class T>
+struct OfMohrCoulomb {
+  using Number = T;
+  using Law = BondLaw<MohrCoulomb>;
+};
+
 }  // namespace
 
-TEMPLATE_TEST_CASE("A pack of bonds has the loads of single bonds, bit by bit", "[laws][pack]", float, double) {
-  using T = TestType;
+TEMPLATE_PRODUCT_TEST_CASE("A pack of bonds has the loads of single bonds, bit by bit", "[laws][pack]",
+                           (OfConstantStrength, OfMohrCoulomb), (float, double)) {
+  using T = typename TestType::Number;
+  using Law = typename TestType::Law;
   using P = Pack<T, lanes>;
-  BondLaw<T> law{T(1.67e12), T(6.67e11), T(1e9), T(3e8), T(36e6), T(24e6), T(0.05), T(0.5), T(1e-6)};
+  const BondParametersOf<T> numbers{T(1.67e12), T(6.67e11), T(36e6), T(24e6), T(0.05), T(1e9), T(3e8), T(0.6)};
+  const BondConstants<T> law{numbers, T(0.5), T(1e-6)};
   for (std::uint64_t first = 0; first < 80; first += lanes) {
     BondSection<P> section;
     BondStrain<P> strain;
@@ -86,13 +100,13 @@ TEMPLATE_TEST_CASE("A pack of bonds has the loads of single bonds, bit by bit", 
       put(rates.velocity, k, c.rates.velocity), put(rates.angular_velocity_i, k, c.rates.angular_velocity_i);
       put(rates.angular_velocity_j, k, c.rates.angular_velocity_j);
     }
-    const BondLoad<P> intact = bond_load(cast<P>(law), section, strain, rates);
-    const PressedLoad<P> loose = pressed_load(cast<P>(law), section, strain, rates);
+    const BondLoad<P> intact = Law::load(cast<P>(law), section, strain, rates);
+    const PressedLoad<P> loose = Law::pressed(cast<P>(law), section, strain, rates);
     for (int k = 0; k < lanes; ++k) {
       const Case<T> c = some_bond<T>(first + static_cast<std::uint64_t>(k));
       const BondStrain<T> s = narrowed<T>(c.strain);
-      CHECK(same(intact, k, bond_load(law, c.section, s, c.rates)));
-      const PressedLoad<T> one = pressed_load(law, c.section, s, c.rates);
+      CHECK(same(intact, k, Law::load(law, c.section, s, c.rates)));
+      const PressedLoad<T> one = Law::pressed(law, c.section, s, c.rates);
       CHECK(same(loose.load, k, one.load));
       CHECK(loose.keep[k] == one.keep);
       CHECK(loose.slip_work[k] == one.slip_work);

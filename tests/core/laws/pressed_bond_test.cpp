@@ -19,12 +19,12 @@ Ends pressed(std::uint64_t k) {
 }  // namespace
 
 TEST_CASE("Failure in compression keeps the normal force", "[laws][bond]") {
-  BondLaw<double> law = paper_law();
-  law.damping = GENERATE(0.0, 0.05);
+  BondConstants<double> law = paper_law();
+  law.bond.damping = GENERATE(0.0, 0.05);
   for (std::uint64_t k = 0; k < 20; ++k) {
     const BondStrain<double> strain = strain_of(pressed(k));
     const BondRates<double> rates{0.1 * random_vector(k, 20), random_vector(k, 23), random_vector(k, 26)};
-    const Vec3d before = bond_load(law, paper_section(), strain, rates).force;
+    const Vec3d before = PaperBond::load(law, paper_section(), strain, rates).force;
     const Vec3d after = pressed_load(law, paper_section(), strain, rates).load.force;
     REQUIRE(dot(before, strain.normal) > 0);
     CHECK(dot(after, strain.normal) == Approx(dot(before, strain.normal)).epsilon(1e-12));
@@ -32,8 +32,8 @@ TEST_CASE("Failure in compression keeps the normal force", "[laws][bond]") {
 }
 
 TEST_CASE("A broken bond that is still pressed never pulls and stays within Coulomb's limit", "[laws][bond]") {
-  BondLaw<double> law = paper_law();
-  law.damping = 0.05;
+  BondConstants<double> law = paper_law();
+  law.bond.damping = 0.05;
   int slipping = 0, pushing = 0;
   for (std::uint64_t k = 0; k < 200; ++k) {
     const BondStrain<double> strain = strain_of(k % 2 ? pressed(k) : strained(k, 3e-3));
@@ -71,7 +71,7 @@ TEST_CASE("Slip of a broken pressed bond dissipates exactly the energy that it s
 TEST_CASE("Sliding dissipates friction times path, whatever the step", "[laws][bond]") {
   // Pressed by 10 um and drawn sideways by 30 um, then pulled off: the work of the shear force closes.
   const int steps = GENERATE(100, 1000);
-  BondLaw<double> law = paper_law();
+  BondConstants<double> law = paper_law();
   const double press = 1e-5, way = 3e-5;
   const double speed = 1, dt = way / steps / speed, push = normal_rate * press;
   law.dt = dt;
@@ -102,7 +102,7 @@ TEST_CASE("Sliding dissipates friction times path, whatever the step", "[laws][b
 
 TEST_CASE("Ends that slide past each other without pressure dissipate nothing", "[laws][bond]") {
   // At 1.1 L0, as where spheres were packed with an overlap. The spring at L0 would book -0.09 of `scale` a step.
-  BondLaw<double> law = paper_law();
+  BondConstants<double> law = paper_law();
   const double speed = 1, dt = 1e-6, length = 1.1 * bond_length, scale = shear_rate * dt * dt * speed * speed;
   law.dt = dt;
   BondShape<double> shape = paper_shape();

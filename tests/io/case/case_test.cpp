@@ -72,7 +72,10 @@ TEST_CASE("The large machine has the numbers of its file, in SI") {
   CHECK(c.materials[0].name == "rock");
   CHECK(c.materials[0].shear_modulus == 557e6);
   REQUIRE(c.bonds);
-  CHECK(std::get<gyro::StiffnessPerArea>(c.bonds->stiffness).normal == 1.67e12);
+  CHECK(c.bonds->parameters.normal_stiffness == 1.67e12);
+  CHECK(c.bonds->parameters.normal_modulus == 0);
+  CHECK(c.bonds->parameters.damping == 0.05);
+  CHECK(c.bonds->model == gyro::BondModel{gyro::BondFailure::constant});
   CHECK(std::get<gyro::RelativeBondRadius>(c.bonds->rule.radius).factor == 0.5);
   REQUIRE(c.bonds->scatter);
   CHECK(std::get<gyro::TruncatedNormal>(*c.bonds->scatter).upper == 1.6);
@@ -158,7 +161,9 @@ TEST_CASE("A start state comes by rising id, bonds refer to its rows, rocks are 
   REQUIRE(c.particles->bonds.size() == 1);
   CHECK((c.particles->bonds[0].i == 0 && c.particles->bonds[0].j == 1));
   CHECK(c.particles->bonds[0].length == Approx(0.02).epsilon(1e-12));  // their distance, as none is given
-  CHECK(std::get<gyro::StiffnessFromModulus>(c.bonds->stiffness).ratio == 2.5);
+  CHECK(c.bonds->parameters.normal_modulus == 5e9);
+  CHECK(c.bonds->parameters.shear_modulus == 2e9);
+  CHECK(c.bonds->parameters.normal_stiffness == 0);
   CHECK(std::get<gyro::AbsoluteBondRadius>(c.bonds->rule.radius).radius == 0.002);
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/case.hpp"
+#include "io/schema/schema.hpp"
 
 #include "tests/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -110,4 +114,31 @@ TEST_CASE("Problems of the file and of overrides come together, those of the fil
   CHECK(report.problems[0].file != "--set");
   CHECK(report.problems[1].line == 1);
   CHECK(report.problems[2].line == 2);
+}
+
+TEST_CASE("The failure criterion of bonds and its friction angle") {
+  const gyro::Case constant = load({"bonds.failure=constant"});
+  CHECK(constant.bonds->model.failure == gyro::BondFailure::constant);
+  CHECK(constant.bonds->parameters.internal_friction == 0);
+  const gyro::Case mohr = load({"bonds.failure=mohr_coulomb", "bonds.friction_angle=30 deg"});
+  CHECK(mohr.bonds->model.failure == gyro::BondFailure::mohr_coulomb);
+  CHECK(mohr.bonds->parameters.internal_friction == Approx(1 / std::sqrt(3.0)).epsilon(1e-14));
+  CHECK(mohr.bonds->parameters.shear_strength == constant.bonds->parameters.shear_strength);
+  CHECK(load({"bonds.failure=mohr_coulomb", "bonds.friction_angle=0"}).bonds->parameters.internal_friction == 0);
+  CHECK(problems({"bonds.failure=mohr_coulomb"}).find("required key \"friction_angle\" is missing in bonds") !=
+        std::string::npos);
+  CHECK(problems({"bonds.friction_angle=30 deg"}).find("it belongs to failure: mohr_coulomb") != std::string::npos);
+}
+
+TEST_CASE("A number of the bond law has the name of its key") {
+  // So that it is read without a line of its own; these are computed from other keys.
+  const std::vector<std::string> computed = {"normal_modulus", "shear_modulus", "internal_friction"};
+  gyro::BondParameters numbers;
+  gyro::BondParameters::for_each_field(
+      [&](const char* name, double&) {
+        INFO(name);
+        const bool is_key = gyro::find_key("bonds." + std::string(name)) != nullptr;
+        CHECK(is_key != (std::find(computed.begin(), computed.end(), name) != computed.end()));
+      },
+      numbers);
 }

@@ -5,13 +5,14 @@
 
 namespace gyro {
 
-/// k_n or k_s of a bond [Pa/m]: a stiffness per area, and a modulus over the bond's length. Cases give one of the two.
+/// k_n or k_s of a bond [Pa/m]: a stiffness per area, plus a modulus divided by the bond's length. Cases give one of
+/// the two.
 template <class T>
 GYRO_HD T stiffness_per_area(T stiffness, T modulus, T length) {
   return stiffness + modulus / length;
 }
 
-/// The four springs of a bond: on its stretch and its shear [N/m], on its twist and its bending [N m].
+/// The four springs of a bond: for its stretch and its shear [N/m], for its twist and its bending [N m].
 template <class T>
 struct BondSprings {
   T normal, shear, twist, bending;
