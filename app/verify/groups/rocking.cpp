@@ -63,30 +63,33 @@ struct Rocker {
   }
 };
 
-/// Half a period of rocking [s], and what it leaves of the amplitude.
 struct Rocking {
-  double half_period, decay;
+  double half_period, decay;  ///< of rocking [s]; the share of the amplitude that it leaves [-]
+  double turned;              ///< first place where the ball turned [m]
 };
 
-/// A ball starts to roll so slowly that the spring stays below its limit. Its turning points are where the velocity
-/// changes its sign, interpolated.
-Rocking rocks(double mu_r, double dt, Precision precision) {
-  const Rocker rocker(mu_r, 0);
-  const double weight = rocker.mass * g;
-  const double spin = 0.3 * mu_r * radius * weight / rocker.spring * std::abs(rocker.root());
-  OnFloor s({spring_dashpot(mu_r), 0, spin * rocker.arm, spin, dt}, precision);
+/// Steps until the velocity has changed its sign three times; both are interpolated between steps.
+Rocking turning_points(OnFloor& s, double dt) {
   double at[3] = {}, place[3] = {}, before = s.speed();
   for (int found = 0; found < 3 && s.time() < 1;) {
     s.step();
     const double now = s.speed();
     if (before * now < 0) {
-      const double share = now / (now - before);
-      at[found] = s.time() - share * dt;
-      place[found++] = s.x() - 0.5 * share * dt * now;
+      const double after = now / (now - before) * dt;
+      at[found] = s.time() - after;
+      place[found++] = s.x() - 0.5 * after * now;
     }
     before = now;
   }
-  return {0.5 * (at[2] - at[0]), (place[2] - place[1]) / (place[0] - place[1])};
+  return {0.5 * (at[2] - at[0]), (place[2] - place[1]) / (place[0] - place[1]), place[0]};
+}
+
+/// A ball starts to roll so slowly that the spring stays below its limit.
+Rocking rocks(double mu_r, double dt, Precision precision) {
+  const Rocker rocker(mu_r, 0);
+  const double spin = 0.3 * mu_r * radius * rocker.mass * g / rocker.spring * std::abs(rocker.root());
+  OnFloor s({spring_dashpot(mu_r), 0, spin * rocker.arm, spin, dt}, precision);
+  return turning_points(s, dt);
 }
 
 /// The dashpot takes the velocity of half a step before, so the period is off by about eta w dt/2.
@@ -205,6 +208,38 @@ void pair(Recorder& out) {
   out.relative("second-spin-lost", spin + s.angular_velocity[1].z, spin * (1 - left), {1e-4, 1e-4}, oscillator);
 }
 
+/// Recoil where the limit holds for spring and dashpot together, as in LAMMPS, over the recoil here. There the ball
+/// leaves the limit at a velocity of 2 eta and a spring of 1 - 4 eta^2 (units: angle at the limit, 1/omega) and turns
+/// as a free oscillator.
+double recoil_of_common_limit() {
+  const double eta = damping_share, damped = std::sqrt(1 - eta * eta), x = 1 - 4 * eta * eta, v = 2 * eta;
+  const double b = (v + eta * x) / damped, phase = std::atan(v / (eta * b + damped * x));
+  return std::exp(-eta * phase / damped) * (x * std::cos(phase) + b * std::sin(phase));
+}
+
+/// The same balls in LAMMPS with the same steps: cases/verification/rocking/README.md. What remains is the error of the
+/// step, and the lever R of friction in LAMMPS, which is R - overlap here.
+void lammps(Recorder& out) {
+  const std::string code = "LAMMPS 22Jul2025, rolling sds";
+  OnFloor stops({spring_dashpot(0.05), 0, 0.2, 0.2 / radius}, out.precision());
+  const Rocking rocking = turning_points(stops, OnFloor::dt);
+  stops.run_to(1);
+  const double step = 0.5 * damping_share * std::abs(Rocker(0.05, 0).root()) * OnFloor::dt;
+  out.relative("half-period", rocking.half_period, 0.01051571, {step, step}, code);
+  out.relative("decay", rocking.decay, 0.3740547, {step, step}, code);
+  out.relative("recoil", rocking.turned - stops.x(), 2.960955e-6 / recoil_of_common_limit(), {step, step},
+               code + ", where the limit holds for spring and dashpot together");
+  const double creep = creep_in_mixed(4.971903e-7), lever = 2 * OnFloor::overlap(0.1) / radius;
+  OnFloor rests({spring_dashpot(0.2), 0.1}, out.precision());
+  rests.run_to(0.5);
+  out.relative("shift", rests.x(), 4.971903e-7, {lever, lever + 0.5 * creep / 4.971903e-7}, code);
+  OnFloor rolls({spring_dashpot(0.05), 0.1}, out.precision());
+  rolls.run_to(0.1);
+  const double before = rolls.speed();
+  rolls.run_to(0.5);
+  out.relative("acceleration", (rolls.speed() - before) / 0.4, 0.3509402, {lever, lever}, code);
+}
+
 }  // namespace
 
 std::vector<Verification> rocking_cases() {
@@ -215,6 +250,7 @@ std::vector<Verification> rocking_cases() {
       {"rocking/angle-of-rolling", angle_of_rolling},
       {"rocking/stop", stop},
       {"rocking/pair", pair},
+      {"rocking/lammps", lammps},
   };
 }
 
