@@ -48,6 +48,9 @@ double cylinder_diameter(const CylinderSpecimen& specimen, double sphere);
 
 using RockShapes = std::variant<ProceduralShapes, GivenShapes, CylinderSpecimen>;
 
+/// Limits of a recipe: rocks of a library, and procedural shapes; corners that replace a scan.
+inline constexpr int max_samples = 10000, max_corners = 10000;
+
 /// What a library is made from.
 struct LibraryRecipe {
   RockShapes shapes;

@@ -11,7 +11,6 @@ namespace {
 
 /// Raise it with every change that makes other rocks from the same recipe.
 constexpr int generator_version = 3;
-constexpr int max_samples = 10000;
 
 class Text {
  public:
@@ -88,7 +87,7 @@ void check_not_negative(const std::string& name, double value) {
 void check_recipe(const LibraryRecipe& recipe) {
   if (const auto* procedural = std::get_if<ProceduralShapes>(&recipe.shapes)) {
     if (procedural->count < 1 || procedural->count > max_samples) {
-      throw BadInput("rocks.shapes.procedural must be between 1 and 10000");
+      throw BadInput("rocks.shapes.procedural must be between 1 and " + std::to_string(max_samples));
     }
     check_style(procedural->style);
   } else if (const auto* cylinder = std::get_if<CylinderSpecimen>(&recipe.shapes)) {
@@ -99,10 +98,11 @@ void check_recipe(const LibraryRecipe& recipe) {
   } else {
     const auto& given = std::get<GivenShapes>(recipe.shapes);
     if (given.shapes.empty()) throw BadInput("rocks.shapes.files is empty; name at least one STL or OBJ file");
-    if (given.corners != 0 && (given.corners < 8 || given.corners > max_samples))
-      throw BadInput("rocks.shapes.corners must be between 8 and 10000");
+    if (given.corners != 0 && (given.corners < 8 || given.corners > max_corners))
+      throw BadInput("rocks.shapes.corners must be between 8 and " + std::to_string(max_corners));
   }
-  if (recipe.samples < 1 || recipe.samples > max_samples) throw BadInput("rocks.samples must be between 1 and 10000");
+  if (recipe.samples < 1 || recipe.samples > max_samples)
+    throw BadInput("rocks.samples must be between 1 and " + std::to_string(max_samples));
   check_rule(recipe.fill);
   if (!(std::isfinite(recipe.rock_density) && recipe.rock_density > 0)) {
     throw BadInput("the rock's density must be a finite number above 0");

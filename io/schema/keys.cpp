@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/schema/keys.hpp"
+#include "core/rocks/library.hpp"
 #include "core/scene/bond_model.hpp"
 #include "core/scene/contact_model.hpp"
 
@@ -99,7 +100,7 @@ const std::vector<Key> material_keys = {
 const std::vector<Key> rock_keys = {
     {.path = "rocks", .doc = "The library of rocks (meta-particles) that the feed draws from."},
     {.path = "rocks.shapes", .required = true, .one_of = "procedural|files|cylinder", .doc = "Shapes of the rocks."},
-    {.path = "rocks.shapes.procedural", .type = integer, .range = {.low = 1, .high = 10000},
+    {.path = "rocks.shapes.procedural", .type = integer, .range = {.low = 1, .high = max_samples},
      .doc = "Number of random polyhedra, generated from the seed."},
     {.path = "rocks.shapes.files", .type = files, .doc = "Closed STL or OBJ meshes, scaled to the sizes of the size distribution."},
     {.path = "rocks.shapes.cylinder", .type = quantity, .range = {.low = 0.1, .high = 10},
@@ -116,7 +117,7 @@ const std::vector<Key> rock_keys = {
      .doc = "With procedural: 0 is rounded, 0.5 (the default) is crushed aggregate, 1 is sharp."},
     {.path = "rocks.shapes.roughness", .type = quantity, .range = {.low = 0, .high = 0.3},
      .doc = "With procedural: deviation of the surface from the polyhedron / radius; 0, flat faces, by default."},
-    {.path = "rocks.shapes.corners", .type = integer, .range = {.low = 8, .high = 10000},
+    {.path = "rocks.shapes.corners", .type = integer, .range = {.low = 8, .high = max_corners},
      .doc = "With files: replace each scan by a convex polyhedron around it with at most this many corners."},
     {.path = "rocks.sizes", .required = true, .one_of = "passing|rosin_rammler|gates_gaudin_schuhmann|vendor|sieves",
      .doc = "Size distribution of the feed by mass; the size of a rock is its equal-volume diameter."},
@@ -144,7 +145,7 @@ const std::vector<Key> rock_keys = {
     {.path = "rocks.sizes.vendor.min", .type = quantity, .dimension = length, .required = true, .range = positive,
      .doc = "Smallest rock; it must be smaller than 0.1 of the opening."},
     {.path = "rocks.sizes.sieves", .type = file, .doc = "CSV with the header size_mm,passing_percent."},
-    {.path = "rocks.samples", .type = integer, .fallback = "24", .range = {.low = 1, .high = 100000},
+    {.path = "rocks.samples", .type = integer, .fallback = "24", .range = {.low = 1, .high = max_samples},
      .doc = "Number of rocks in the library, each of them a shape at a size."},
     {.path = "rocks.fill", .required = true, .one_of = "ratio|sizes", .doc = "Particles that make up a rock."},
     {.path = "rocks.fill.ratio", .type = quantity, .range = {.low = 2, .high = 50},

@@ -129,7 +129,7 @@ TEST_CASE("verify --json prints one document and nothing else") {
   const Outcome none = place.gyrosim("verify --json --filter no/such");
   CHECK(none.code == 2);
   CHECK(none.out.empty());
-  CHECK(none.err.find("the groups are hertz restitution") != std::string::npos);
+  CHECK(none.err.find("the groups are hertz hysteretic restitution") != std::string::npos);
   const nlohmann::json one = nlohmann::json::parse(place.gyrosim("verify --json --filter hertz/glass/force").out);
   CHECK(one.at("checks").size() == 2);  // in both precisions
   CHECK(one.at("groups").size() == 1);

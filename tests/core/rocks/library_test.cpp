@@ -6,9 +6,9 @@
 #include "core/rocks/recipe.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/geometry/meshes.hpp"
+#include "tests/core/rocks/libraries.hpp"
 
 #include <omp.h>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -18,35 +18,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// Five rocks of three shapes.
-LibraryRecipe small_recipe() {
-  LibraryRecipe recipe;
-  recipe.shapes = ProceduralShapes{3};
-  recipe.sizes = PassingTable{{{0.05, 0}, {0.5, 1}}};
-  recipe.samples = 5;
-  recipe.fill = MonoFill{4};
-  recipe.rock_density = 2600;
-  recipe.bond_parameters = {1.67e12, 6.67e11, 36e6, 24e6, 0.05};
-  recipe.bed = {6, 5e8, 4e8, 0.3, 0.3};
-  recipe.seed = 42;
-  return recipe;
-}
-
 GivenShape given(const std::string& name, const TriangleMesh& mesh) {
   return {name, name, [mesh, name] { return RepairedMesh{mesh, {"a note about " + name}}; }};
-}
-
-/// Whether all that a scene takes from two rocks is equal to the last bit.
-bool same(const RockTemplate& a, const RockTemplate& b) {
-  const auto same_bond = [](const TemplateBond& p, const TemplateBond& q) {
-    return p.i == q.i && p.j == q.j && p.length == q.length && p.radius == q.radius;
-  };
-  const auto same_point = [](const Vec3d& p, const Vec3d& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
-  return a.name == b.name &&
-         std::equal(a.centres.begin(), a.centres.end(), b.centres.begin(), b.centres.end(), same_point) &&
-         a.radii == b.radii && std::equal(a.bonds.begin(), a.bonds.end(), b.bonds.begin(), b.bonds.end(), same_bond) &&
-         a.colour_begin == b.colour_begin && a.particle_density == b.particle_density && a.sieve_size == b.sieve_size &&
-         a.critical_step == b.critical_step;
 }
 
 }  // namespace
@@ -111,7 +84,7 @@ TEST_CASE("The library is the same for any number of threads") {
   omp_set_num_threads(threads);
   REQUIRE(one.rocks.size() == 5);
   REQUIRE(three.rocks.size() == 5);
-  for (std::size_t k = 0; k < 5; ++k) CHECK(same(one.rocks[k], three.rocks[k]));
+  for (std::size_t k = 0; k < 5; ++k) CHECK(same_rock(one.rocks[k], three.rocks[k]));
 }
 
 TEST_CASE("Rocks of given shapes, also of one that is not convex") {

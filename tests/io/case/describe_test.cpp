@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/errors.hpp"
+#include "core/rocks/recipe.hpp"
 #include "io/case/case.hpp"
 #include "io/schema/schema.hpp"
+#include "mbd/motor.hpp"
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <set>
 
 TEST_CASE("Every key is described, with a line of its own, once") {
@@ -35,6 +38,36 @@ TEST_CASE("The table is consistent in itself") {
     if (key.type == gyro::KeyType::word || key.type == gyro::KeyType::words) CHECK(!key.words.empty());
     if (section) CHECK(key.fallback.empty());
   }
+}
+
+TEST_CASE("The words of motor models are the laws of the drivetrain, and nema, which is one of them by its standard") {
+  std::vector<std::string> words;
+  for (const std::string_view word : gyro::split(gyro::find_key("drivetrain.motor.model")->words, '|'))
+    words.emplace_back(word);
+  CHECK(std::erase(words, "nema") == 1);
+  std::vector<std::string> models = gyro::motor_models();
+  std::ranges::sort(words);
+  std::ranges::sort(models);
+  CHECK(words == models);
+}
+
+TEST_CASE("The largest library that a case may ask for can be made") {
+  gyro::LibraryRecipe recipe;
+  recipe.sizes = gyro::PassingTable{{{0.05, 0}, {0.5, 1}}};
+  recipe.rock_density = 2600;
+  const auto high = [](const char* path) { return static_cast<int>(gyro::find_key(path)->range.high); };
+  const auto accepts = [](const gyro::LibraryRecipe& r) { CHECK_NOTHROW(gyro::check_recipe(r)); };
+  const auto refuses = [](const gyro::LibraryRecipe& r) { CHECK_THROWS_AS(gyro::check_recipe(r), gyro::BadInput); };
+  recipe.samples = high("rocks.samples");
+  recipe.shapes = gyro::ProceduralShapes{high("rocks.shapes.procedural")};
+  accepts(recipe);
+  recipe.samples += 1;
+  refuses(recipe);
+  recipe.samples -= 1;
+  recipe.shapes = gyro::GivenShapes{{{}}, high("rocks.shapes.corners")};
+  accepts(recipe);
+  recipe.shapes = gyro::GivenShapes{{{}}, high("rocks.shapes.corners") + 1};
+  refuses(recipe);
 }
 
 TEST_CASE("describe knows keys by pattern and by name, and suggests") {

@@ -4,8 +4,8 @@
 #include "io/mesh/mesh_file.hpp"
 #include "io/files/digest.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/rocks/libraries.hpp"
 #include "tests/io/mesh/written.hpp"
-#include "tests/io/rocks/libraries.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>

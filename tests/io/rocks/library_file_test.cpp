@@ -4,8 +4,8 @@
 #include "core/rocks/recipe.hpp"
 #include "io/hdf5/hdf5.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/rocks/libraries.hpp"
 #include "tests/io/mesh/written.hpp"
-#include "tests/io/rocks/libraries.hpp"
 
 #include <limits>
 

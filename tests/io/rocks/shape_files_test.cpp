@@ -5,8 +5,8 @@
 #include "io/rocks/library_cache.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/geometry/meshes.hpp"
+#include "tests/core/rocks/libraries.hpp"
 #include "tests/io/mesh/written.hpp"
-#include "tests/io/rocks/libraries.hpp"
 
 using namespace gyro;
 using Catch::Matchers::Contains;
