@@ -9,6 +9,8 @@ namespace {
 void add_product(Summary& s, const Case& input, const Assembly& assembly, const Simulation& simulation,
                  const RunOutput& output) {
   s.holdup_mass = simulation.holdup();
+  s.escaped_mass = simulation.escaped_mass();
+  s.escaped_fraction = simulation.escaped_fraction();
   const ProductRow row = simulation.product()->row(simulation.time());
   s.discharged_mass = row.mass;
   if (simulation.time() > 0) s.throughput_tph = row.mass / simulation.time() * 3.6;

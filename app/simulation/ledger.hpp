@@ -25,10 +25,10 @@ struct LedgerLimits {
   double lag_steps = 3;  ///< a force that grows as t^(3/2) does 5/2 of its mean work in the last step
 };
 
-/// Particles that were inserted, that were discharged, and that are in the chamber.
+/// Particles that were inserted, that were discharged, that escaped over the rim, and that are in the chamber.
 struct MassCount {
-  std::int64_t fed = 0, discharged = 0, inside = 0;
-  std::int64_t residual() const { return fed - discharged - inside; }
+  std::int64_t fed = 0, discharged = 0, escaped = 0, inside = 0;
+  std::int64_t residual() const { return fed - discharged - escaped - inside; }
 };
 
 /// The text of a verdict.

@@ -61,6 +61,8 @@ struct Summary {
   std::int64_t particles = 0;       ///< live at the end
   std::int64_t bonds_initial = 0, bonds_broken = 0;
   std::optional<double> feed_mass = {}, discharged_mass = {};  ///< [kg]
+  std::optional<double> escaped_mass = {};                     ///< left over the rim, no product [kg]
+  std::optional<double> escaped_fraction = {};                 ///< of the mass fed or there at the start [-]
   std::optional<double> feed_waiting = {};                     ///< was due and found no room at the end [kg]
   std::optional<double> throughput_tph = {};                   ///< discharged mass / simulated time [t/h]
   std::optional<double> specific_energy_kwh_per_t = {};        ///< crushing energy / discharged mass

@@ -38,6 +38,12 @@ std::string waiting_line(const Summary& s) {
   return line("waiting", format("%.4g t, which found no room", *s.feed_waiting / 1e3));
 }
 
+std::string escaped_line(const Summary& s) {
+  if (!s.escaped_mass || !(*s.escaped_mass > 0)) return {};
+  return line("escaped", format("%.4g kg over the rim, %.2g %% of the feed; not in the product", *s.escaped_mass,
+                                100 * s.escaped_fraction.value_or(0)));
+}
+
 std::string below_settings_line(const Summary& s) {
   if (!s.product_below_oss || !s.product_below_css) return {};
   return line("",

@@ -19,6 +19,7 @@ std::string number_line(const char* name, const std::optional<double>& value, do
                         int digits = 4);
 
 std::string waiting_line(const Summary& s);
+std::string escaped_line(const Summary& s);
 std::string below_settings_line(const Summary& s);
 std::string single_particles_line(const Summary& s);
 std::string steady_line(const Summary& s);
