@@ -73,7 +73,7 @@ struct Summary {
   std::optional<double> singles_share = {};                    ///< mass share of single particles in the product [-]
   std::optional<double> swell_of_crumbled = {};                ///< loose volume of crumbled / volume of solid rock [-]
   std::optional<double> mean_crushing_power = {};              ///< [W]
-  std::optional<double> energy_residual_fraction = {};         ///< residual / work done by walls and gravity
+  std::optional<double> energy_residual_fraction = {};         ///< residual / larger of work and largest energy
   std::optional<double> momentum_residual_fraction = {};       ///< residual / impulses of walls and gravity
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends

@@ -193,11 +193,14 @@ const std::vector<Figure<Summary>>& summary_figures() {
       {.name = "energy_residual_fraction",
        .units = "1",
        .value = [](const Summary& s) { return s.energy_residual_fraction; },
-       .description = "energy residual / work done by walls and gravity",
+       .description = "energy residual / the larger of the work done by walls and gravity and the largest kinetic + "
+                      "elastic energy so "
+                      "far; the guard has the same scale",
        .when = at_end,
        .line =
            [](const Summary& s) {
-             return number_line("energy residual", s.energy_residual_fraction, 1, " of the work done", 2);
+             return number_line("energy residual", s.energy_residual_fraction, 1, " of the work or the largest energy",
+                                2);
            }},
       {.name = "momentum_residual_fraction",
        .units = "1",

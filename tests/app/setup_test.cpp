@@ -177,6 +177,22 @@ TEST_CASE("Rock that leaves over the rim is accounted apart from the product, al
   CHECK(run->dem().counts().particles == 0);  // all were removed
 }
 
+TEST_CASE("Without gravity and with fixed walls the residual is a share of the energy", "[simulation]") {
+  Setup setup = spilling_chamber();
+  setup.scene.gravity = {0, 0, 0};
+  setup.start = {sphere_at(0, {0, 0, 0.15}, {3, 0, 0})};
+  setup.discharge.reset();
+  set_step(setup);
+  Simulation run(setup, make_cpu_dem(setup.scene, Precision::double_, 1));
+  const double kinetic = run.dem().energy().kinetic;
+  while (run.time() < 0.1) run.advance();
+  const EnergyTerms end = run.ledger().energy();
+  REQUIRE(end.kinetic < 0.9 * kinetic);  // it has met the wall
+  REQUIRE(end.residual() != 0);
+  CHECK(run.ledger().residual_fraction() == Approx(end.residual() / kinetic).epsilon(1e-12));
+  CHECK(std::abs(run.ledger().residual_fraction()) < 0.01);
+}
+
 TEST_CASE("A driven mantle needs no case file, and its energy account closes", "[simulation]") {
   Setup setup;
   Scene& scene = setup.scene;
