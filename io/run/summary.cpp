@@ -52,6 +52,10 @@ Json json_of(const std::optional<SteadyFigures>& steady) {
   return steady ? json_of(steady_figures(), *steady) : Json(nullptr);
 }
 
+Json json_of(const std::optional<MotorFigures>& motor) {
+  return motor ? json_of(motor_figures(), *motor) : Json(nullptr);
+}
+
 Json json_of(const std::optional<LaboratoryFigures>& laboratory) {
   return laboratory ? json_of(laboratory_figures(), *laboratory) : Json(nullptr);
 }
@@ -66,6 +70,7 @@ std::vector<SummaryMember> summary_members() {
   std::vector<SummaryMember> all;
   list_figures(summary_figures(), "", all);
   list_figures(steady_figures(), "steady.", all);
+  list_figures(motor_figures(), "motor.", all);
   list_figures(laboratory_figures(), "laboratory.", all);
   list_figures(drive_event_figures(), "drive_events[].", all);
   return all;

@@ -25,12 +25,30 @@ struct DriveHappening {
   std::string what;
 };
 
-/// Means over the part of a run that showed no drift any more.
+/// A figure and its standard error, in the same unit.
+struct Estimate {
+  double value = 0, error = 0;
+};
+
+/// Figures of the part of a run that showed no drift any more.
 struct SteadyFigures {
-  double from;                           ///< [s]
-  double crushing_power;                 ///< [W]
-  double throughput_tph;                 ///< [t/h]
-  std::optional<double> residence_time;  ///< hold-up / throughput [s]
+  double from = 0;                                         ///< [s]
+  std::int64_t gyrations = 0, blocks = 0;                  ///< whole gyrations since then; blocks of them, for errors
+  Estimate crushing_power = {};                            ///< [W]
+  std::optional<Estimate> motor_power = {};                ///< [W]
+  Estimate throughput_tph = {};                            ///< [t/h]
+  std::optional<Estimate> specific_energy_kwh_per_t = {};  ///< crushing energy / discharged mass
+  std::optional<Estimate> p80 = {}, p50 = {};              ///< sieve sizes that these shares of the product pass [m]
+  std::optional<Estimate> product_below_css = {}, product_below_oss = {};  ///< mass shares of the product [-]
+  std::optional<double> residence_time = {};                               ///< hold-up / throughput [s]
+};
+
+/// Mechanical power at the motor's shaft, by rows of /series.
+struct MotorFigures {
+  double from = 0;                                               ///< of the first row [s]
+  double mean = 0, p95 = 0, peak = 0;                            ///< [W]
+  std::optional<double> rated_power = {};                        ///< [W]; none without a name plate
+  std::optional<double> mean_fraction = {}, peak_fraction = {};  ///< of the rated power [-]
 };
 
 /// What a test of one rock in a laboratory case came to.
@@ -78,9 +96,11 @@ struct Summary {
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
   bool stalled = false;
-  std::optional<bool> choked = {};           ///< more rock waits for room than one gyration feeds
-  std::optional<double> holdup_mass = {};    ///< at the end [kg]
-  std::optional<SteadyFigures> steady = {};  ///< none: the run was too short to be steady
+  std::optional<bool> choked = {};             ///< more rock waits for room than one gyration feeds
+  std::optional<double> holdup_mass = {};      ///< at the end [kg]
+  std::optional<SteadyFigures> steady = {};    ///< since the run is steady
+  std::optional<std::string> not_steady = {};  ///< why the run is not steady; none: it is, or nobody can tell
+  std::optional<MotorFigures> motor = {};      ///< none without a motor whose power is known
   std::optional<LaboratoryFigures> laboratory = {};
   std::vector<DriveHappening> drive_events = {};  ///< in order; empty without a drivetrain
 };

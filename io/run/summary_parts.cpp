@@ -7,28 +7,160 @@ namespace gyro {
 namespace {
 
 constexpr const char* if_failed = "if the rock failed";
+constexpr const char* with_discharge = "with discharge since then";
+constexpr const char* with_motor = "with a drivetrain that gives it";
+constexpr const char* with_name_plate = "with a motor that has a rated power";
+
+double value_of(const Estimate& e) {
+  return e.value;
+}
+double error_of(const Estimate& e) {
+  return e.error;
+}
+std::optional<double> value_of(const std::optional<Estimate>& e) {
+  return e ? std::optional(e->value) : std::nullopt;
+}
+std::optional<double> error_of(const std::optional<Estimate>& e) {
+  return e ? std::optional(e->error) : std::nullopt;
+}
 
 }  // namespace
 
 const std::vector<Figure<SteadyFigures>>& steady_figures() {
-  static const std::vector<Figure<SteadyFigures>> figures{
+  using S = SteadyFigures;
+  static const std::vector<Figure<S>> figures{
       {.name = "from",
        .units = "s",
-       .value = [](const SteadyFigures& s) { return s.from; },
+       .value = [](const S& s) { return s.from; },
        .description = "time from which on the run shows no drift"},
+      {.name = "gyrations",
+       .units = "1",
+       .value = [](const S& s) { return s.gyrations; },
+       .description = "whole gyrations since then"},
+      {.name = "blocks",
+       .units = "1",
+       .value = [](const S& s) { return s.blocks; },
+       .description = "blocks of whole gyrations from which the standard errors come, by the jackknife"},
       {.name = "crushing_power",
        .units = "W",
-       .value = [](const SteadyFigures& s) { return s.crushing_power; },
+       .value = [](const S& s) { return value_of(s.crushing_power); },
        .description = "crushing power, mean since then"},
+      {.name = "crushing_power_error",
+       .units = "W",
+       .value = [](const S& s) { return error_of(s.crushing_power); },
+       .description = "its standard error"},
+      {.name = "motor_power",
+       .units = "W",
+       .value = [](const S& s) { return value_of(s.motor_power); },
+       .description = "mechanical power of the motor at its shaft, mean since then",
+       .when = with_motor},
+      {.name = "motor_power_error",
+       .units = "W",
+       .value = [](const S& s) { return error_of(s.motor_power); },
+       .description = "its standard error",
+       .when = with_motor},
       {.name = "throughput_tph",
        .units = "t/h",
-       .value = [](const SteadyFigures& s) { return s.throughput_tph; },
+       .value = [](const S& s) { return value_of(s.throughput_tph); },
        .description = "discharged mass / time since then"},
+      {.name = "throughput_tph_error",
+       .units = "t/h",
+       .value = [](const S& s) { return error_of(s.throughput_tph); },
+       .description = "its standard error"},
+      {.name = "specific_energy_kwh_per_t",
+       .units = "kWh/t",
+       .value = [](const S& s) { return value_of(s.specific_energy_kwh_per_t); },
+       .description = "crushing energy / discharged mass since then",
+       .when = with_discharge},
+      {.name = "specific_energy_kwh_per_t_error",
+       .units = "kWh/t",
+       .value = [](const S& s) { return error_of(s.specific_energy_kwh_per_t); },
+       .description = "its standard error",
+       .when = with_discharge},
+      {.name = "p80",
+       .units = "m",
+       .value = [](const S& s) { return value_of(s.p80); },
+       .description = "size that 80 % of the product since then pass",
+       .when = with_discharge},
+      {.name = "p80_error",
+       .units = "m",
+       .value = [](const S& s) { return error_of(s.p80); },
+       .description = "its standard error",
+       .when = with_discharge},
+      {.name = "p50",
+       .units = "m",
+       .value = [](const S& s) { return value_of(s.p50); },
+       .description = "size that 50 % of the product since then pass",
+       .when = with_discharge},
+      {.name = "p50_error",
+       .units = "m",
+       .value = [](const S& s) { return error_of(s.p50); },
+       .description = "its standard error",
+       .when = with_discharge},
+      {.name = "product_below_css",
+       .units = "1",
+       .value = [](const S& s) { return value_of(s.product_below_css); },
+       .description = "share of the product since then that passes the closed side setting",
+       .when = with_discharge},
+      {.name = "product_below_css_error",
+       .units = "1",
+       .value = [](const S& s) { return error_of(s.product_below_css); },
+       .description = "its standard error",
+       .when = with_discharge},
+      {.name = "product_below_oss",
+       .units = "1",
+       .value = [](const S& s) { return value_of(s.product_below_oss); },
+       .description = "share of the product since then that passes the open side setting",
+       .when = with_discharge},
+      {.name = "product_below_oss_error",
+       .units = "1",
+       .value = [](const S& s) { return error_of(s.product_below_oss); },
+       .description = "its standard error",
+       .when = with_discharge},
       {.name = "residence_time",
        .units = "s",
-       .value = [](const SteadyFigures& s) { return s.residence_time; },
+       .value = [](const S& s) { return s.residence_time; },
        .description = "hold-up / throughput",
-       .when = "with discharge"},
+       .when = with_discharge},
+  };
+  return figures;
+}
+
+const std::vector<Figure<MotorFigures>>& motor_figures() {
+  using S = MotorFigures;
+  static const std::vector<Figure<S>> figures{
+      {.name = "from",
+       .units = "s",
+       .value = [](const S& s) { return s.from; },
+       .description =
+           "the figures are of the rows of /series that begin then or later: since the run is steady, else 0"},
+      {.name = "mean",
+       .units = "W",
+       .value = [](const S& s) { return s.mean; },
+       .description = "mechanical power at the shaft, mean"},
+      {.name = "p95",
+       .units = "W",
+       .value = [](const S& s) { return s.p95; },
+       .description = "95th percentile of motor_power in the rows of /series: so many rows have at most this"},
+      {.name = "peak",
+       .units = "W",
+       .value = [](const S& s) { return s.peak; },
+       .description = "largest motor_power in a row of /series"},
+      {.name = "rated_power",
+       .units = "W",
+       .value = [](const S& s) { return s.rated_power; },
+       .description = "power on the name plate",
+       .when = with_name_plate},
+      {.name = "mean_fraction",
+       .units = "1",
+       .value = [](const S& s) { return s.mean_fraction; },
+       .description = "mean / rated power",
+       .when = with_name_plate},
+      {.name = "peak_fraction",
+       .units = "1",
+       .value = [](const S& s) { return s.peak_fraction; },
+       .description = "peak / rated power",
+       .when = with_name_plate},
   };
   return figures;
 }

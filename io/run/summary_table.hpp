@@ -21,6 +21,7 @@ Json json_of(std::int64_t value);
 Json json_of(const std::string& text);
 Json json_of(const std::optional<std::string>& text);
 Json json_of(const std::optional<SteadyFigures>& steady);
+Json json_of(const std::optional<MotorFigures>& motor);
 Json json_of(const std::optional<LaboratoryFigures>& laboratory);
 Json json_of(const std::vector<DriveHappening>& events);
 
@@ -51,6 +52,7 @@ struct Figure {
 /// The tables, in the order of the file and of the terminal.
 const std::vector<Figure<Summary>>& summary_figures();
 const std::vector<Figure<SteadyFigures>>& steady_figures();
+const std::vector<Figure<MotorFigures>>& motor_figures();
 const std::vector<Figure<LaboratoryFigures>>& laboratory_figures();
 const std::vector<Figure<DriveHappening>>& drive_event_figures();
 

@@ -96,3 +96,46 @@ TEST_CASE("The text shows what the run has and fits a screen") {
   CHECK_THAT(full, Contains("3420 t/h"));
   CHECK(std::count(full.begin(), full.end(), '\n') <= 20);
 }
+
+TEST_CASE("The text marks the figures of a start-up, and shows a steady part with its errors") {
+  Summary s;
+  s.throughput_tph = 0.0123;
+  s.p80 = 0.0142;
+  s.mean_crushing_power = 51.5;
+  s.specific_energy_kwh_per_t = 0.0147;
+  s.feed_mass = 2.442;
+  s.discharged_mass = 0.0064;
+  CHECK_THAT(to_text(s, "out"), !Contains("start-up"));  // without a drive nobody can tell
+  s.not_steady = "the chamber is still filling";
+  const std::string start_up = to_text(s, "out");
+  for (const char* line : {"not steady        the chamber is still filling; the figures below are of the start-up\n",
+                           "throughput        12.3 kg/h, start-up\n", "product P80       14.2 mm, start-up\n",
+                           "crushing power    51.5 W, mean, start-up\n", "0.0147 kWh/t, start-up\n",
+                           "fed               2.442 kg\n", "discharged        6.4 g\n"})
+    CHECK_THAT(start_up, Contains(line));
+  CHECK(nlohmann::json::parse(to_json(s))["not_steady"] == "the chamber is still filling");
+  CHECK(nlohmann::json::parse(to_json(s))["steady"].is_null());
+
+  s.not_steady.reset();
+  SteadyFigures& f = s.steady.emplace();
+  f.from = 4.5;
+  f.gyrations = 24;
+  f.blocks = 10;
+  f.crushing_power = {210e3, 4200};
+  f.throughput_tph = {3420, 41};
+  f.p80 = Estimate{0.142, 0.0031};
+  f.product_below_css = f.product_below_oss = Estimate{0.5, 0.01};
+  s.motor = MotorFigures{4.5, 240e3, 300e3, 410e3, 600e3, 0.4, 0.683};
+  const std::string steady = to_text(s, "out");
+  for (const char* line : {"since 4.5 s: the figures below are of 24 gyrations, with standard errors from 10 blocks",
+                           "throughput        3420 +- 41 t/h\n", "product P80       142 +- 3.1 mm\n",
+                           "crushing power    210 +- 4.2 kW, mean\n", "50 % below OSS",
+                           "240 kW mean, 300 kW 95 %, 410 kW peak; mean 40 %, peak 68.3 % of rated 600 kW\n"})
+    CHECK_THAT(steady, Contains(line));
+  CHECK_THAT(steady, !Contains("start-up") && !Contains("specific energy"));  // nothing was discharged since then
+  const auto json = nlohmann::json::parse(to_json(s))["steady"];
+  CHECK(json["throughput_tph"] == 3420);
+  CHECK(json["throughput_tph_error"] == 41);
+  CHECK(json["crushing_power_error"] == 4200);
+  CHECK(json["specific_energy_kwh_per_t_error"].is_null());
+}
