@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 
 namespace gyro {
 namespace {
@@ -62,6 +63,12 @@ void RunLog::drive_events(Simulation& simulation) {
 
 void RunLog::stopped(const std::string& reason) {
   log_.error(reason);
+}
+
+void RunLog::summary(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) log_.info(line);
 }
 
 void RunLog::ended(const Simulation& simulation, RunStatus status) {

@@ -21,8 +21,8 @@ std::string to_string(RunStatus status);
 
 /// Something that happened to the drive: a stall, a trip, a restart.
 struct DriveHappening {
-  double time;  ///< [s]
-  std::string what;
+  double time = 0;  ///< [s]
+  std::string what = {};
 };
 
 /// A figure and its standard error, in the same unit.
@@ -122,6 +122,10 @@ std::string to_text(const Summary& summary, const std::filesystem::path& directo
 
 /// Writes DIRECTORY/summary.json in one piece. @throws OutputError
 void write_summary(const Summary& summary, const std::filesystem::path& directory);
+
+/// Reads all of DIRECTORY/summary.json, to print it again. What the file of an older version lacks is left out.
+/// @throws BadInput when it is missing or not a summary
+Summary load_summary(const std::filesystem::path& directory);
 
 /// What a later run in the same directory needs to know.
 struct EarlierRun {

@@ -171,8 +171,11 @@ std::string bonds_line(const Summary& s) {
 }
 
 std::string time_step_line(const Summary& s) {
-  if (!(s.time_step_limit > 0)) return {};
-  return line("time step", format("%.4g us, limit %.4g us", s.time_step * 1e6, s.time_step_limit * 1e6));
+  if (!(s.time_step > 0)) return {};
+  // Without rock and bonds nothing limits the step: infinity, which JSON has not.
+  const bool limited = s.time_step_limit > 0 && std::isfinite(s.time_step_limit);
+  return line("time step", format("%.4g us", s.time_step * 1e6) +
+                               (limited ? format(", limit %.4g us", s.time_step_limit * 1e6) : std::string()));
 }
 
 std::string device_line(const Summary& s) {

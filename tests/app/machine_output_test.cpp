@@ -93,6 +93,27 @@ TEST_CASE("A machine without rock is steady once it has run up, in parts as in o
   CHECK(summary["motor"]["mean_fraction"].get<double>() == Approx(summary["motor"]["mean"].get<double>() / 600e3));
 }
 
+TEST_CASE("report prints the summary again, and the log keeps it") {
+  const Workplace place;
+  const Outcome run = place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0");
+  REQUIRE(run.code == 0);
+  REQUIRE(run.out.find("discharged") != std::string::npos);
+  const Outcome report = place.gyrosim("report run");
+  CHECK(report.code == 0);
+  CHECK(report.out == run.out);
+  const std::string log = read_text(place.path() / "run/log.txt");
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) CHECK(log.find(line) != std::string::npos);
+
+  for (const char* nothing : {"nowhere", "."}) {
+    const Outcome refused = place.gyrosim(std::string("report ") + nothing);
+    CHECK(refused.code == 2);
+    CHECK(refused.out.empty());
+    CHECK(refused.err.find("summary.json: cannot be read; give the directory of a run") != std::string::npos);
+  }
+  CHECK(place.gyrosim("report").code == 2);
+}
+
 TEST_CASE("export csv writes the series with units in the names") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);
