@@ -70,8 +70,22 @@ void set_rock(Assembly& out, const Case& input) {
   }
   setup.start = blaming("particles", [&] { return start_state(input); });
   setup.bond_strength = bond_strength(input);
-  if (input.crusher)
-    setup.discharge = Discharge{input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start))};
+}
+
+/// Where rock leaves. Without a concave that is closed around the axis nothing tells the opening from the rim.
+void set_discharge(Assembly& out, const Case& input) {
+  if (!input.crusher) return;
+  Setup& setup = out.setup;
+  setup.discharge.emplace();
+  setup.discharge->removal_depth = input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start));
+  std::string why = "no fixed profile or mesh is called concave";
+  try {
+    setup.discharge->concave = concave_outline(setup.scene.walls);
+  } catch (const BadInput& problem) {
+    why = std::string("wall concave: ") + problem.what();
+  }
+  if (!setup.discharge->concave)
+    out.notes.push_back(why + ": all rock that falls below z = 0 counts as product, over the rim as well");
 }
 
 void set_step(Assembly& out, const Case& input) {
@@ -115,6 +129,7 @@ Assembly assemble(const Case& input) {
   check_crusher(input, out);
   set_scene(out.setup.scene, input);
   set_rock(out, input);
+  set_discharge(out, input);
   set_step(out, input);
   note_windows(out, input);
   out.setup.inspection_interval = input.output.series;

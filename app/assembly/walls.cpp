@@ -2,6 +2,7 @@
 #include "app/assembly/walls.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "core/walls/radial_sections.hpp"
 #include "io/mesh/mesh_file.hpp"
 
 #include <algorithm>
@@ -68,7 +69,29 @@ void set_meshes(CaseWalls& out, double closed_side_setting) {
   out.notes.push_back(note);
 }
 
+ConcaveOutline outline_of(const TriangleMesh& mesh) {
+  HeightRange heights{1e300, -1e300};
+  for (const Vec3d& v : mesh.vertices) heights = {std::min(heights.low, v.z), std::max(heights.high, v.z)};
+  const RadialSections sections(mesh, 0, heights, RadialSections::Face::innermost);
+  std::vector<ProfilePoint> points;
+  for (int k = 0; k < RadialSections::levels; ++k) {
+    points.push_back({0, sections.level(k)});
+    for (int a = 0; a < RadialSections::azimuths; ++a)
+      points.back().r = std::max(points.back().r, sections.at(a, points.back().z));
+  }
+  return ConcaveOutline(std::move(points));
+}
+
 }  // namespace
+
+std::optional<ConcaveOutline> concave_outline(std::span<const Wall> walls) {
+  for (const Wall& wall : walls) {
+    if (wall.name != "concave" || !std::holds_alternative<Fixed>(wall.motion)) continue;
+    if (const auto* profile = std::get_if<ProfileShape>(&wall.shape)) return ConcaveOutline(profile->points);
+    if (const auto* mesh = std::get_if<TriangleMesh>(&wall.shape)) return outline_of(*mesh);
+  }
+  return std::nullopt;
+}
 
 Liners liners_of(const CaseCrusher& crusher) {
   return make_liners(crusher.liners, {crusher.closed_side_setting, crusher.eccentricity, crusher.pivot_height});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/fragments/concave_outline.hpp"
 #include "core/scene/scene.hpp"
 #include "core/walls/liners.hpp"
 #include "core/walls/mesh_chamber.hpp"
@@ -32,6 +33,11 @@ CaseWalls make_walls(const Case& input);
 
 /// Mantle and concave where both are meshes: the first wall that gyrates, and the fixed one called concave.
 std::optional<MeshLiners> mesh_liners(std::span<const Wall> walls);
+
+/// Inner radius by height of the fixed wall called concave, if it is a profile or a mesh: of a mesh its innermost
+/// surface, at each height the largest radius of all azimuths. None without such a wall.
+/// @throws BadInput for a mesh that is not closed around the axis
+std::optional<ConcaveOutline> concave_outline(std::span<const Wall> walls);
 
 /// Liners of a crusher with a profile. @throws BadInput for settings that the profile cannot have
 Liners liners_of(const CaseCrusher& crusher);

@@ -76,7 +76,7 @@ struct Arguments {
   RunArguments run;
   CaseArguments check, library, liners, fmu;
   std::optional<std::filesystem::path> library_out, fmu_out;
-  std::filesystem::path liners_out;
+  std::filesystem::path liners_out, reported;
   ExportArguments exported;
   VerifyArguments verify;
   BenchAccuracyArguments accuracy;
@@ -109,6 +109,25 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
   c->callback([&a] { a.chosen = [&a] { return liners_command(a.liners, a.liners_out); }; });
 }
 
+void add_commands_of_runs(CLI::App& app, Arguments& a) {
+  CLI::App* c = app.add_subcommand("report", "print the summary of a run again");
+  c->add_option("RUNDIR", a.reported, "directory of a run")->required();
+  c->callback([&a] { a.chosen = [&a] { return report_command(a.reported); }; });
+
+  CLI::App* forms = app.add_subcommand("export", "write results in another form")->require_subcommand(1);
+  c = forms->add_subcommand("fmu", "the drivetrain as an FMI 2.0 co-simulation FMU");
+  c->add_option("CASE", a.fmu.file, "case file, or directory of a run")->required();
+  c->add_option("--set", a.fmu.set, "override a key: key.path=value")->allow_extra_args(false);
+  c->add_option("--out", a.fmu_out, "file; default CASE.fmu in the working directory");
+  c->callback([&a] { a.chosen = [&a] { return export_fmu_command(a.fmu, a.fmu_out); }; });
+  c = forms->add_subcommand("csv", "a table of a run as CSV");
+  c->add_option("RUNDIR", a.exported.run, "directory of a run")->required();
+  c->add_option("--table", a.exported.table,
+                "series, ledger, breakage, product, holdup or performance; default series");
+  c->add_option("--out", a.exported.out, "file; default standard output");
+  c->callback([&a] { a.chosen = [&a] { return export_command(a.exported); }; });
+}
+
 void add_other_commands(CLI::App& app, Arguments& a) {
   CLI::App* c = app.add_subcommand("describe", "documentation of the case file's keys and of all outputs");
   c->add_option("key", a.describe.key, "a key or a section of a case, default all; or outputs");
@@ -129,19 +148,6 @@ void add_other_commands(CLI::App& app, Arguments& a) {
   add_bench_accuracy(*c, a.accuracy);
   c->callback([&a] { a.chosen = [&a] { return bench_accuracy_command(a.accuracy); }; });
 
-  CLI::App* forms = app.add_subcommand("export", "write results in another form")->require_subcommand(1);
-  c = forms->add_subcommand("fmu", "the drivetrain as an FMI 2.0 co-simulation FMU");
-  c->add_option("CASE", a.fmu.file, "case file, or directory of a run")->required();
-  c->add_option("--set", a.fmu.set, "override a key: key.path=value")->allow_extra_args(false);
-  c->add_option("--out", a.fmu_out, "file; default CASE.fmu in the working directory");
-  c->callback([&a] { a.chosen = [&a] { return export_fmu_command(a.fmu, a.fmu_out); }; });
-  c = forms->add_subcommand("csv", "a table of a run as CSV");
-  c->add_option("RUNDIR", a.exported.run, "directory of a run")->required();
-  c->add_option("--table", a.exported.table,
-                "series, ledger, breakage, product, holdup or performance; default series");
-  c->add_option("--out", a.exported.out, "file; default standard output");
-  c->callback([&a] { a.chosen = [&a] { return export_command(a.exported); }; });
-
   c = app.add_subcommand("init", "print a commented case to start from");
   c->add_option("--template", a.name, "quickstart, primary or compression");
   c->callback([&a] { a.chosen = [&a] { return init_command(a.name); }; });
@@ -158,6 +164,7 @@ std::unique_ptr<CLI::App> make_app(Arguments& arguments) {
   app->require_subcommand(1);
   app->failure_message(usage_problem);
   add_commands_of_cases(*app, arguments);
+  add_commands_of_runs(*app, arguments);
   add_other_commands(*app, arguments);
   return app;
 }

@@ -72,6 +72,8 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int verify_command(const VerifyArguments& arguments);
 int bench_accuracy_command(const BenchAccuracyArguments& arguments);
+/// The summary of a run, as it was printed at its end.
+int report_command(const std::filesystem::path& run);
 /// A table of a run as CSV, to a file or standard output; names carry the unit.
 int export_command(const ExportArguments& arguments);
 /// The drivetrain of a case, or of the case of a run, as an FMI 2.0 co-simulation FMU.

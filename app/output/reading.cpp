@@ -63,7 +63,8 @@ SeriesReading read_series(const Simulation& simulation, std::span<const std::uin
     reading.mantle_spin = drive->state().spin;
   }
   reading.feed_mass = simulation.fed().mass;
-  reading.discharged_mass = simulation.product() ? simulation.product()->state().mass : 0;
+  reading.discharged_mass = simulation.discharged_mass();
+  reading.escaped_mass = simulation.escaped_mass();
   reading.holdup_mass = simulation.holdup();
   reading.counts = simulation.dem().counts();
   reading.fragments = simulation.fragments();

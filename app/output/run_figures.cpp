@@ -3,12 +3,16 @@
 
 #include "app/output/steady_state.hpp"
 
+#include <array>
+
 namespace gyro {
 namespace {
 
 void add_product(Summary& s, const Case& input, const Assembly& assembly, const Simulation& simulation,
                  const RunOutput& output) {
   s.holdup_mass = simulation.holdup();
+  s.escaped_mass = simulation.escaped_mass();
+  s.escaped_fraction = simulation.escaped_fraction();
   const ProductRow row = simulation.product()->row(simulation.time());
   s.discharged_mass = row.mass;
   if (simulation.time() > 0) s.throughput_tph = row.mass / simulation.time() * 3.6;
@@ -23,10 +27,49 @@ void add_product(Summary& s, const Case& input, const Assembly& assembly, const 
     s.swell_of_crumbled = swell_of_crumbled(assembly.setup.library);
 }
 
-void add_drive(Summary& s, const Simulation& simulation, const RunOutput& output) {
+constexpr double tph = 3.6;                 // t/h in a kg/s
+constexpr double kwh_per_t = 1000 / 3.6e6;  // in a J/kg
+
+Estimate scaled(const Estimate& e, double factor) {
+  return {e.value * factor, e.error * factor};
+}
+
+/// Whether the run is steady, and its figures since then.
+void add_steady(Summary& s, const Case& input, const Simulation& simulation, const RunOutput& output) {
+  const std::array sizes{input.crusher->closed_side_setting, open_side_setting(*input.crusher)};
+  const std::optional<SteadyState> steady = steady_state(output.gyrations(), sizes);
+  if (!steady) {
+    s.not_steady = unsteady_reason(output.gyrations());
+    return;
+  }
+  SteadyFigures& f = s.steady.emplace();
+  f.from = steady->from;
+  f.gyrations = static_cast<std::int64_t>(steady->gyrations);
+  f.blocks = static_cast<std::int64_t>(steady->blocks);
+  f.crushing_power = steady->power;
+  if (simulation.drivetrain()->knows().motor_power) f.motor_power = steady->motor_power;
+  f.throughput_tph = scaled(steady->throughput, tph);
+  if (steady->specific_energy) f.specific_energy_kwh_per_t = scaled(*steady->specific_energy, kwh_per_t);
+  f.p80 = steady->p80;
+  f.p50 = steady->p50;
+  f.product_below_css = steady->below[0];
+  f.product_below_oss = steady->below[1];
+  f.residence_time = steady->residence_time;
+}
+
+/// Power on the motor's name plate [W]; none for a motor that has none, and for foreign drives.
+std::optional<double> rated_power(const Case& input) {
+  if (!input.drivetrain) return std::nullopt;
+  const Motor& motor = input.drivetrain->motor;
+  const double power = rated_torque_of(motor) * rated_speed(motor);
+  return power > 0 ? std::optional(power) : std::nullopt;
+}
+
+void add_drive(Summary& s, const Case& input, const Simulation& simulation, const RunOutput& output) {
   if (simulation.feed()) s.choked = simulation.choked();
-  if (const auto steady = steady_state(output.gyrations()); steady && simulation.product())
-    s.steady = SteadyFigures{steady->from, steady->power, steady->throughput * 3.6, steady->residence_time};
+  if (simulation.product()) add_steady(s, input, simulation, output);
+  if (simulation.drivetrain()->knows().motor_power)
+    s.motor = output.motor().figures(s.steady ? s.steady->from : 0, rated_power(input));
   s.stalled = simulation.drivetrain()->stalled();
   for (const DriveEvent& event : simulation.drivetrain()->events())
     s.drive_events.push_back({event.time, to_string(event.kind)});
@@ -54,7 +97,7 @@ void add_figures(Summary& s, const Case& input, const Assembly& assembly, const 
   }
   if (gyrating_wall(assembly.setup.scene) != none) s.mean_crushing_power = output.mean_crushing_power();
   if (simulation.product()) add_product(s, input, assembly, simulation, output);
-  if (simulation.drivetrain()) add_drive(s, simulation, output);
+  if (simulation.drivetrain()) add_drive(s, input, simulation, output);
 }
 
 }  // namespace gyro

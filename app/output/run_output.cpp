@@ -53,6 +53,7 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
   rows_.restore(*saved);
   maps_.restore(*saved);
   gyrations_.restore(*saved);
+  motor_.restore(*saved);
   // With another interval than before, the next frame is the first that lies ahead.
   const CaseOutput& now = input_.output;
   if (now.snapshots != state_.snapshot_interval) state_.frames = intervals(now.snapshots, state_.time) + 1;
@@ -75,14 +76,28 @@ void RunOutput::take(const WindowResult& result, const Simulation& simulation) {
   state_.crushing_work += result.load.work;
   state_.time = simulation.time();
   maps_.take(result.wall_impulses, state_.time, results_);
-  if (simulation.drivetrain())
-    gyrations_.add(state_.time, result.window.length(), simulation.drivetrain()->state().angle, result.crushing_power,
-                   result.holdup_mass, result.discharged_mass);
+  if (simulation.drivetrain()) note_drive(result, simulation);
   if (result.inspected) write_row(simulation);
   if (due(input_.output.snapshots, state_.frames, state_.time)) write_snapshot(simulation);
 }
 
+void RunOutput::note_drive(const WindowResult& result, const Simulation& simulation) {
+  const Drivetrain& drive = *simulation.drivetrain();
+  const double length = result.window.length();
+  GyrationWindow window{.time = state_.time,
+                        .length = length,
+                        .angle = drive.state().angle,
+                        .power = result.crushing_power,
+                        .motor_power = drive.means().motor_power,
+                        .holdup = result.holdup_mass,
+                        .discharged = result.discharged_mass};
+  if (simulation.product()) window.sieve_mass = simulation.product()->state().sieve_mass;
+  gyrations_.add(window);
+  motor_.add(length, drive.means().motor_power);
+}
+
 void RunOutput::write_row(const Simulation& simulation) {
+  motor_.end_row(state_.time);
   rows_.write(results_, simulation, wall_seconds());
 }
 
@@ -118,6 +133,7 @@ void RunOutput::save(SavedState& to) const {
   rows_.save(to);
   maps_.save(to);
   gyrations_.save(to);
+  motor_.save(to);
 }
 
 void RunOutput::close(const Simulation& simulation) {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "app/assembly/assembly.hpp"
+#include "app/output/gyrations.hpp"
 #include "app/output/liner_maps.hpp"
+#include "app/output/motor_rows.hpp"
 #include "app/output/rows.hpp"
-#include "app/output/steady_state.hpp"
 #include "app/simulation/simulation.hpp"
 #include "io/run/results.hpp"
 #include "io/run/snapshots.hpp"
@@ -37,7 +38,8 @@ class RunOutput {
 
   double mean_crushing_power() const { return state_.time > 0 ? state_.crushing_work / state_.time : 0; }  ///< [W]
   double crushing_work() const { return state_.crushing_work; }                                            ///< [J]
-  const std::vector<GyrationMeans>& gyrations() const { return gyrations_.gyrations(); }
+  const GyrationRecord& gyrations() const { return gyrations_.record(); }
+  const MotorRows& motor() const { return motor_; }
 
  private:
   /// Everything that a checkpoint must keep beside the states of its parts.
@@ -62,6 +64,7 @@ class RunOutput {
 
   ResultsContent content(const CaseRecord& record) const;
   double wall_seconds() const;
+  void note_drive(const WindowResult& result, const Simulation& simulation);
   void write_row(const Simulation& simulation);
   void write_snapshot(const Simulation& simulation);
 
@@ -71,6 +74,7 @@ class RunOutput {
   RowWriter rows_;
   LinerMaps maps_;
   GyrationReader gyrations_;
+  MotorRows motor_;
   ResultsFile results_;
   SnapshotWriter snapshots_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

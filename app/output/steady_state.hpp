@@ -1,84 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/saved_state.hpp"
+#include "app/output/gyrations.hpp"
+#include "io/run/summary.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace gyro {
 
-/// Means over one gyration.
-struct GyrationMeans {
-  double begin = 0, end = 0;  ///< [s]
-  double power = 0;           ///< crushing [W]
-  double holdup = 0;          ///< [kg]
-  double discharged = 0;      ///< in this gyration [kg]
-
-  template <class F, class... G>
-  static constexpr void for_each_field(F&& f, G&... g) {
-    f("begin", g.begin...);
-    f("end", g.end...);
-    f("power", g.power...);
-    f("holdup", g.holdup...);
-    f("discharged", g.discharged...);
-  }
-};
-static_assert(declares_every_field<GyrationMeans>);
-
 /// What a crusher shows while it runs as it did before.
+///
+/// Standard errors come from blocks of whole gyrations by the jackknife: with B blocks and a figure f_k of all but
+/// block k, error^2 = (B - 1)/B sum (f_k - mean f)^2 (Efron & Stein, Ann. Statist. 9 (1981) 586). For a mean of equal
+/// blocks that is the variance of the blocks / B; it holds for ratios and sieve sizes as well. A block is at least two
+/// gyrations and a tenth of the steady part, so that neighbouring blocks depend little on each other; the error itself
+/// is good to about 1 / sqrt(2 B - 2), a third with five blocks. None where a figure is not defined without a block.
 struct SteadyState {
-  double from = 0;                       ///< [s]
-  double power = 0;                      ///< mean since then [W]
-  double throughput = 0;                 ///< [kg/s]
-  std::optional<double> residence_time;  ///< mean hold-up / throughput (Little's law) [s]; none without discharge
+  double from = 0;                             ///< [s]
+  std::size_t gyrations = 0, blocks = 0;       ///< whole gyrations since then, and blocks of them
+  Estimate power;                              ///< crushing, mean [W]
+  Estimate motor_power;                        ///< mean [W]
+  Estimate throughput;                         ///< [kg/s]
+  std::optional<Estimate> specific_energy;     ///< crushing energy / mass discharged [J/kg]; none without discharge
+  std::optional<Estimate> p80, p50;            ///< sizes that these shares of the mass discharged pass [m]
+  std::vector<std::optional<Estimate>> below;  ///< share of the mass discharged that passes each of the sizes asked for
+  std::optional<double> residence_time;        ///< mean hold-up / throughput (Little's law) [s]; none without discharge
 };
 
 /// When a drift counts as none.
 struct SteadyLimits {
   std::size_t min_gyrations = 10;
   double holdup_drift = 0.05;  ///< of its fitted line over the time looked at / mean [-]
+  double speed_drift = 0.02;   ///< likewise of the duration of a gyration [-]
   double power_change = 0.05;  ///< between the two halves of that time / mean [-]
 };
 
-/// The earliest gyration from which on, to the end of the run, hold-up and power have no drift: the line fitted
-/// to hold-up changes by less than holdup_drift of its mean, and the mean powers of both halves differ by less than
-/// power_change or two standard errors. None when there is no such gyration, or too few follow it: the run was
-/// not long enough to say so. A chamber that fills slower than this shows passes: look at the hold-up.
-std::optional<SteadyState> steady_state(const std::vector<GyrationMeans>& gyrations, const SteadyLimits& limits = {});
+/// The earliest gyration from which on, to the end of the run, hold-up, speed and power have no drift: the lines fitted
+/// to hold-up and to the duration of a gyration change by less than holdup_drift and speed_drift of their means, and
+/// the mean powers of both halves differ by less than power_change or two standard errors. None when there is no such
+/// gyration, or too few follow it: the run was not long enough to say so. A chamber that fills slower than this shows
+/// passes: look at the hold-up.
+/// @param sizes  openings [m] of SteadyState::below
+std::optional<SteadyState> steady_state(const GyrationRecord& record, std::span<const double> sizes = {},
+                                        const SteadyLimits& limits = {});
 
-/// Collects windows to whole gyrations, by the angle of the eccentric.
-class GyrationReader {
- public:
-  /// @param angle  of the eccentric at the window's end [rad]
-  void add(double time, double length, double angle, double power, double holdup, double discharged_so_far);
-  const std::vector<GyrationMeans>& gyrations() const { return state_.done; }
-
-  void save(SavedState& to) const { to.put_one("gyrations", state_); }
-  void restore(const SavedState& from) { state_ = from.get_one<State>("gyrations"); }
-
- private:
-  struct State {
-    std::vector<GyrationMeans> done;
-    double begin = 0;              ///< of the present gyration [s]
-    double length = 0;             ///< of its windows so far [s]
-    double power = 0, holdup = 0;  ///< sums of value x window length in it [J], [kg s]
-    double turns = 0;              ///< whole turns at its begin
-    double discharged = 0;         ///< mass discharged by its begin [kg]
-
-    template <class F, class... S>
-    static constexpr void for_each_field(F&& f, S&... s) {
-      f("done", s.done...);
-      f("begin", s.begin...);
-      f("length", s.length...);
-      f("power", s.power...);
-      f("holdup", s.holdup...);
-      f("turns", s.turns...);
-      f("discharged", s.discharged...);
-    }
-  };
-  State state_;
-};
+/// Why a run is not steady, for a record that has no steady state: "the chamber is still filling".
+std::string unsteady_reason(const GyrationRecord& record, const SteadyLimits& limits = {});
 
 }  // namespace gyro

@@ -147,8 +147,10 @@ void CaseRun::finish(Summary& s) {
   add_figures(s, input_, assembly_, *simulation_, output_);
   if (input_.laboratory) s.laboratory = write_laboratory(input_, assembly_, directory_.path);
   write_summary(s, directory_.path);
+  const std::string text = to_text(s, directory_.path);
+  log_.summary(text);
   log_.ended(*simulation_, s.status);
-  if (!options_.quiet) std::cout << to_text(s, directory_.path) << std::flush;
+  if (!options_.quiet) std::cout << text << std::flush;
 }
 
 /// Marks a resumed run unfinished until it completes, in case this process is killed.

@@ -6,10 +6,12 @@
 
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 
 namespace gyro {
 namespace {
 
+constexpr double much_escaped = 1e-3;  // of the feed: more rock over the rim than this spoils throughput and hold-up
 constexpr double hertz_overlap = 0.3;  // overlap / radius beyond which Hertz's law no longer describes the force
 
 }  // namespace
@@ -63,6 +65,12 @@ void RunLog::stopped(const std::string& reason) {
   log_.error(reason);
 }
 
+void RunLog::summary(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) log_.info(line);
+}
+
 void RunLog::ended(const Simulation& simulation, RunStatus status) {
   if (const double overlap = simulation.ledger().worst_overlap(); overlap > hertz_overlap) {
     char line[200];
@@ -70,6 +78,15 @@ void RunLog::ended(const Simulation& simulation, RunStatus status) {
                   "contacts overlapped by up to %.2f of the radius, far beyond the range of Hertz's law; "
                   "a larger materials.rock.shear_modulus is closer to real rock",
                   overlap);
+    log_.warning(line);
+  }
+  if (const double escaped = simulation.escaped_fraction(); escaped > much_escaped) {
+    char line[240];
+    std::snprintf(
+        line, sizeof line,
+        "%.4g kg of rock left over the rim, %.2g %% of the feed; it is not in the product: feed less or lower, "
+        "or close the chamber with a plane in walls above the feed",
+        simulation.escaped_mass(), 100 * escaped);
     log_.warning(line);
   }
   for (const auto& [phase, seconds] : simulation.dem().phase_seconds())

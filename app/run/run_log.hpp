@@ -29,7 +29,9 @@ class RunLog {
   /// Messages and events of the drive since the last call.
   void drive_events(Simulation& simulation);
   void stopped(const std::string& reason);
-  /// Time by phase, status, and a warning of overlaps beyond Hertz's law.
+  /// The summary as it is printed.
+  void summary(const std::string& text);
+  /// Time by phase, status, and warnings: of overlaps beyond Hertz's law, of rock that left over the rim.
   void ended(const Simulation& simulation, RunStatus status);
 
  private:

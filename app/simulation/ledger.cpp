@@ -7,6 +7,11 @@
 
 namespace gyro {
 
+void Ledger::open(const EnergyTerms& before) {
+  state_.potential_before = before.potential;
+  note_energy(before);
+}
+
 std::optional<std::string> Ledger::close(double time, const EnergyTerms& after, const Extremes& extremes) {
   State& s = state_;
   const double fallen = s.potential_before - after.potential;
@@ -18,8 +23,12 @@ std::optional<std::string> Ledger::close(double time, const EnergyTerms& after, 
   s.work_before = work();
   s.overlap_ratio = extremes.overlap_ratio;
   s.worst_overlap = std::max(s.worst_overlap, extremes.overlap_ratio);
-  s.largest_state = std::max(s.largest_state, after.kinetic + after.contact_elastic + after.bond_elastic);
+  note_energy(after);
   return verdict(time);
+}
+
+void Ledger::note_energy(const EnergyTerms& now) {
+  state_.largest_state = std::max(state_.largest_state, now.kinetic + now.contact_elastic + now.bond_elastic);
 }
 
 double Ledger::work() const {
@@ -27,7 +36,11 @@ double Ledger::work() const {
 }
 
 double Ledger::residual_fraction() const {
-  return work() > 0 ? state_.energy.residual() / work() : 0;
+  return scale() > 0 ? state_.energy.residual() / scale() : 0;
+}
+
+double Ledger::scale() const {
+  return std::max(work(), state_.largest_state);
 }
 
 std::string Ledger::wall_name(Index wall) const {
@@ -76,14 +89,12 @@ std::optional<std::string> Ledger::verdict(double time) const {
   if (const std::string passed = passed_limit(); !passed.empty()) {
     why << passed;
   } else {
-    const bool little = work() < state_.largest_state;
-    const double scale = little ? state_.largest_state : work();
     const double lag = limits_.lag_steps * limits_.contact_step * power_;
     // Written so that a residual that is not a number does not pass.
-    if (std::abs(state_.energy.residual()) <= limits_.energy_fraction * scale + lag) return {};
-    why << "the energy balance is off by " << state_.energy.residual() << " J, "
-        << 100 * state_.energy.residual() / scale << " % of the " << (little ? "largest energy seen" : "work done")
-        << "; at most " << 100 * limits_.energy_fraction << " %";
+    if (std::abs(state_.energy.residual()) <= limits_.energy_fraction * scale() + lag) return {};
+    why << "the energy balance is off by " << state_.energy.residual() << " J, " << 100 * residual_fraction()
+        << " % of the " << (work() < state_.largest_state ? "largest energy seen" : "work done") << "; at most "
+        << 100 * limits_.energy_fraction << " %";
   }
   return stopped_at(time, why.str());
 }

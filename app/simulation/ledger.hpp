@@ -16,7 +16,7 @@ namespace gyro {
 struct LedgerLimits {
   /// Of a single step. (Hertz's law no longer holds at an overlap ratio of 0.3, where the log warns.)
   StepLimits step;
-  /// Residual over the larger of the work done and the largest kinetic + elastic energy so far [-].
+  /// Of the residual over Ledger::scale() [-].
   double energy_fraction = 0.05;
   /// Step of the contacts, a whole hold where forces are held [s]. Forces and energies may be one such step apart, so
   /// the balance may also be off by `lag_steps` times the work of one step: much of all work just after the first
@@ -25,10 +25,10 @@ struct LedgerLimits {
   double lag_steps = 3;  ///< a force that grows as t^(3/2) does 5/2 of its mean work in the last step
 };
 
-/// Particles that were inserted, that were discharged, and that are in the chamber.
+/// Particles that were inserted, that were discharged, that escaped over the rim, and that are in the chamber.
 struct MassCount {
-  std::int64_t fed = 0, discharged = 0, inside = 0;
-  std::int64_t residual() const { return fed - discharged - inside; }
+  std::int64_t fed = 0, discharged = 0, escaped = 0, inside = 0;
+  std::int64_t residual() const { return fed - discharged - escaped - inside; }
 };
 
 /// The text of a verdict.
@@ -40,8 +40,8 @@ std::string stopped_at(double time, const std::string& why);
 ///
 ///   residual = E + L - W - X,   zero up to rounding and the error of the time integration.
 ///
-/// The run must stop when |residual| exceeds energy_fraction of the work done by walls and gravity (or of the largest
-/// kinetic and elastic energy, where that is more), or when a step passes one of the step's limits.
+/// The run must stop when |residual| exceeds energy_fraction of the scale, the larger of the work done by walls and
+/// gravity and of the largest kinetic + elastic energy so far, or when a step passes one of the step's limits.
 class Ledger {
  public:
   /// What a checkpoint keeps.
@@ -50,7 +50,7 @@ class Ledger {
     double overlap_ratio = 0;                           ///< at the end of the last window [-]
     double worst_overlap = 0;                           ///< of all windows [-]
     double potential_before = 0, gravity_turnover = 0;  ///< [J]
-    double largest_state = 0;                           ///< kinetic + elastic energy [J]
+    double largest_state = 0;                           ///< kinetic + elastic energy so far [J]
     double time = 0, work_before = 0;                   ///< end of the last window [s], work until then [J]
 
     /// Calls f(name, field) for every field, to be read or filled.
@@ -72,7 +72,7 @@ class Ledger {
       : limits_(limits), walls_(std::move(walls)) {}
 
   /// Notes the state after rock was inserted or removed, so that gravity's work is that of the DEM alone.
-  void open(const EnergyTerms& before) { state_.potential_before = before.potential; }
+  void open(const EnergyTerms& before);
   /// Closes the window that ends at `time` [s].
   /// @return why the run must stop, with the id of the particle; nothing while all is well
   std::optional<std::string> close(double time, const EnergyTerms& after, const Extremes& extremes);
@@ -80,13 +80,17 @@ class Ledger {
   const EnergyTerms& energy() const { return state_.energy; }
   const Extremes& extremes() const { return extremes_; }         ///< of the last window
   double worst_overlap() const { return state_.worst_overlap; }  ///< largest overlap / radius at any window's end
-  /// Residual over the work that walls and gravity have done; 0 before any work.
+  /// What a residual is measured by: the larger of the work that walls and gravity have done or taken, each counted
+  /// positive, and of the largest kinetic + elastic energy since the start [J].
+  double scale() const;
+  /// Residual / scale, with its sign; 0 where there has been neither work nor energy.
   double residual_fraction() const;
 
   const State& state() const { return state_; }
   void restore(const State& state);
 
  private:
+  void note_energy(const EnergyTerms& now);
   double work() const;  ///< that walls and gravity have done or taken [J]
   std::string passed_limit() const;
   std::optional<std::string> verdict(double time) const;

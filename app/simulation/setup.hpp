@@ -3,6 +3,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/feed/feed.hpp"
+#include "core/fragments/concave_outline.hpp"
 #include "core/rocks/rock_template.hpp"
 #include "core/scene/new_rock.hpp"
 #include "core/scene/scene.hpp"
@@ -13,10 +14,11 @@
 
 namespace gyro {
 
-/// Where rock leaves: a fragment that lies wholly below z = 0 is discharged and counted as product.
+/// Where rock leaves: a fragment that lies wholly below z = 0 is discharged and counted as product, unless it has
+/// escaped over the rim of the concave (core/fragments/product.hpp).
 struct Discharge {
-  double removal_depth =
-      0;  ///< a discharged fragment is removed once it lies wholly below z = -removal_depth [m], >= 0
+  double removal_depth = 0;  ///< a fragment that has left is removed once it lies wholly below z = -this [m], >= 0
+  std::optional<ConcaveOutline> concave = {};  ///< none: all that falls below z = 0 is product
 };
 
 /// What a coupled run is made of, in SI units. Plain data: a program may fill it by hand, app/assembly fills it from a

@@ -57,7 +57,7 @@ Simulation::Simulation(Setup setup, std::unique_ptr<Dem> dem, std::optional<Driv
     blaming_part(SetupPart::feed,
                  [&] { feed_.emplace(setup_.library, *setup_.feed, setup_.scene.walls, setup_.bond_strength); });
   if (setup_.discharge) {
-    product_.emplace(rock_density_);
+    product_.emplace(rock_density_, setup_.discharge->concave);
     hold_up_.emplace(rock_density_);
   }
   if (saved != nullptr)
@@ -100,7 +100,7 @@ WindowResult Simulation::advance(int max_steps) {
   result.breakages = dem_->take_breakages();
   result.wall_impulses = dem_->take_wall_impulses();
   result.holdup_mass = holdup();
-  result.discharged_mass = product_ ? product_->state().mass : 0;
+  result.discharged_mass = discharged_mass();
   const bool due = inspection_due();
   if (due) ++state_.inspections;
   result.inspected = due || verdict_;
@@ -178,7 +178,7 @@ void Simulation::inspect() {
   if (product_) count_product(particles, table);
 }
 
-/// Counts what has been discharged, analyses what has not, and removes what lies far below the discharge plane.
+/// Counts what has left the chamber, analyses what has not, and removes what lies far below the discharge plane.
 void Simulation::count_product(const ParticleSnapshot& particles, const FragmentTable& table) {
   product_->update(table, particles);
   hold_up_->update(table, particles, *product_);
@@ -190,8 +190,21 @@ void Simulation::count_product(const ParticleSnapshot& particles, const Fragment
   open_balances();
 }
 
+double Simulation::discharged_mass() const {
+  return product_ ? product_->state().mass : 0;
+}
+
+double Simulation::escaped_mass() const {
+  return product_ ? product_->state().escaped_mass : 0;
+}
+
+double Simulation::escaped_fraction() const {
+  const double all = state_.start_mass + fed().mass;
+  return all > 0 ? escaped_mass() / all : 0;
+}
+
 double Simulation::holdup() const {
-  return state_.start_mass + fed().mass - (product_ ? product_->state().mass : 0);
+  return state_.start_mass + fed().mass - discharged_mass() - escaped_mass();
 }
 
 bool Simulation::choked() const {
@@ -210,6 +223,7 @@ MassCount Simulation::mass_count() const {
   count.inside = dem_->counts().particles;
   if (product_) {
     count.discharged = product_->state().particles;
+    count.escaped = product_->state().escaped_particles;
     count.inside = product_->inside(dem_->particles());
   }
   return count;
@@ -245,7 +259,7 @@ void Simulation::restore(const SavedState& s) {
   if (drivetrain_)
     drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain"), s.get<std::uint8_t>("drivetrain/drive"));
   if (feed_) feed_->restore(s.get_one<Feed::State>("feed"));
-  if (product_) product_.emplace(rock_density_, s.get_one<Product::State>("product"));
+  if (product_) product_.emplace(rock_density_, setup_.discharge->concave, s.get_one<Product::State>("product"));
   if (hold_up_) hold_up_.emplace(rock_density_, s.get_one<HoldUp::State>("hold_up"));
   ledger_.restore(s.get_one<Ledger::State>("ledger"));
   momentum_.restore(s.get_one<MomentumBalance::State>("momentum"));

@@ -57,7 +57,7 @@ class Simulation {
   /// @throws StoppedByGuard with the verdict, if there is one
   void require_sound() const;
 
-  /// Looks at the fragments now: counts those that have passed the discharge plane and removes those far below it. Two
+  /// Looks at the fragments now: counts those that have left the chamber and removes those far below it. Two
   /// particles that touch through a mesh wall are a verdict. Does nothing where any position is not finite.
   void inspect();
 
@@ -73,7 +73,10 @@ class Simulation {
   const std::optional<HoldUp>& hold_up() const { return hold_up_; }
   FeedAccount fed() const;
   double start_mass() const { return state_.start_mass; }  ///< of setup.start [kg]
-  double holdup() const;                                   ///< mass between feed and discharge [kg]
+  double discharged_mass() const;                          ///< since the start [kg]
+  double escaped_mass() const;                             ///< over the rim since the start [kg]
+  double escaped_fraction() const;                         ///< of the mass fed or there at the start [-]
+  double holdup() const;                                   ///< mass fed or there at the start that has not left [kg]
   /// Whether the chamber takes less than the feed gives: more rock waits for room than one gyration feeds.
   bool choked() const;
   /// Why this run can have no checkpoints; empty when it can.

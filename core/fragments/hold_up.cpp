@@ -18,7 +18,7 @@ std::vector<Held> held_fragments(const FragmentTable& table, const ParticleSnaps
   std::vector<Held> held;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const ParticleId first = particles.id[static_cast<std::size_t>(table.rows[k].first_particle)];
-    if (table.rows[k].particles > 1 && !product.is_discharged(first)) held.push_back({first, k});
+    if (table.rows[k].particles > 1 && !product.has_left(first)) held.push_back({first, k});
   }
   std::sort(held.begin(), held.end(), [](const Held& a, const Held& b) { return a.first < b.first; });
   return held;
@@ -40,7 +40,7 @@ void HoldUp::update(const FragmentTable& table, const ParticleSnapshot& particle
   for (std::size_t k = 0; k < table.size(); ++k) {
     const Fragment& f = table.rows[k];
     const ParticleId first = particles.id[static_cast<std::size_t>(f.first_particle)];
-    if (f.particles == 1 && !product.is_discharged(first))
+    if (f.particles == 1 && !product.has_left(first))
       now.tally.add(equal_mass_diameter(f.mass, rock_density_), f.mass, 1);
   }
   for (const auto& [first, row] : held_fragments(table, particles, product)) {

@@ -5,23 +5,36 @@
 
 namespace gyro {
 
-Product::Product(double rock_density) : rock_density_(rock_density) {
+Product::Product(double rock_density, std::optional<ConcaveOutline> concave)
+    : rock_density_(rock_density), concave_(std::move(concave)) {
   state_.sieve_mass.assign(sieve_series().size() + 1, 0.0);
 }
 
-Product::Product(double rock_density, State state) : rock_density_(rock_density), state_(std::move(state)) {}
+Product::Product(double rock_density, std::optional<ConcaveOutline> concave, State state)
+    : rock_density_(rock_density), concave_(std::move(concave)), state_(std::move(state)) {}
 
-bool Product::is_discharged(ParticleId id) const {
-  return id < state_.discharged.size() && state_.discharged[id] != 0;
+bool Product::has_left(ParticleId id) const {
+  return id < state_.place.size() && state_.place[id] != in_chamber;
 }
 
-void Product::count(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles) {
-  const Fragment& f = table.rows[row];
+/// Whether a fragment lies below the rim and wholly outside of the concave.
+bool Product::is_outside(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles) const {
+  if (!concave_ || !(table.rows[row].highest < concave_->rim())) return false;
+  return std::ranges::all_of(table.members_of(row), [&](Index m) {
+    return concave_->outside(particles.position[static_cast<std::size_t>(m)]);
+  });
+}
+
+void Product::mark(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles, Place place) {
   for (const Index m : table.members_of(row)) {
     const ParticleId id = particles.id[static_cast<std::size_t>(m)];
-    if (id >= state_.discharged.size()) state_.discharged.resize(std::size_t{id} + 1, 0);
-    state_.discharged[id] = 1;
+    if (id >= state_.place.size()) state_.place.resize(std::size_t{id} + 1, in_chamber);
+    state_.place[id] = place;
   }
+}
+
+void Product::count_discharged(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles) {
+  const Fragment& f = table.rows[row];
   ++state_.fragments;
   state_.particles += f.particles;
   state_.mass += f.mass;
@@ -35,8 +48,16 @@ void Product::count(const FragmentTable& table, std::size_t row, const ParticleS
 void Product::update(const FragmentTable& table, const ParticleSnapshot& particles) {
   for (std::size_t row = 0; row < table.size(); ++row) {
     // Bonds never heal, so either all particles of a fragment have been counted or none.
-    const auto first = static_cast<std::size_t>(table.rows[row].first_particle);
-    if (table.rows[row].highest < 0 && !is_discharged(particles.id[first])) count(table, row, particles);
+    const Fragment& f = table.rows[row];
+    if (has_left(particles.id[static_cast<std::size_t>(f.first_particle)])) continue;
+    if (is_outside(table, row, particles)) {
+      mark(table, row, particles, escaped);
+      state_.escaped_particles += f.particles;
+      state_.escaped_mass += f.mass;
+    } else if (f.highest < 0) {
+      mark(table, row, particles, discharged);
+      count_discharged(table, row, particles);
+    }
   }
 }
 
@@ -45,7 +66,7 @@ std::vector<ParticleId> Product::removable(const FragmentTable& table, const Par
   std::vector<ParticleId> ids;
   for (std::size_t row = 0; row < table.size(); ++row) {
     const auto first = static_cast<std::size_t>(table.rows[row].first_particle);
-    if (!(table.rows[row].highest < -depth) || !is_discharged(particles.id[first])) continue;
+    if (!(table.rows[row].highest < -depth) || !has_left(particles.id[first])) continue;
     for (const Index m : table.members_of(row)) ids.push_back(particles.id[static_cast<std::size_t>(m)]);
   }
   std::sort(ids.begin(), ids.end());
@@ -53,7 +74,7 @@ std::vector<ParticleId> Product::removable(const FragmentTable& table, const Par
 }
 
 std::int64_t Product::inside(const ParticleSnapshot& particles) const {
-  return std::count_if(particles.id.begin(), particles.id.end(), [&](ParticleId id) { return !is_discharged(id); });
+  return std::count_if(particles.id.begin(), particles.id.end(), [&](ParticleId id) { return !has_left(id); });
 }
 
 ProductRow Product::row(double time) const {

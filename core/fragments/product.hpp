@@ -1,60 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/fragments/concave_outline.hpp"
 #include "core/fragments/fragment_table.hpp"
 #include "core/fragments/sieve_curve.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gyro {
 
-/// The product account. A fragment is discharged when all of it is below z = 0; it is then
-/// counted once, with its size at that moment, even if it bounces back or breaks further.
+/// The account of rock that leaves the chamber. A fragment leaves once, by the way of which it is seen first:
+///
+/// - escaped, over the rim: all of it is below the rim, and the centres of all its particles are outside of the
+///   concave's outline (concave_outline.hpp);
+/// - discharged, through the opening: all of it is below z = 0, and it has not escaped. Without an outline all that
+///   falls below z = 0 is discharged.
+///
+/// What is discharged is the product. It is counted with its size at that moment, even if it bounces back or breaks
+/// further; of what has escaped only the mass is kept.
 class Product {
  public:
+  /// Where a particle is.
+  enum Place : std::uint8_t { in_chamber = 0, discharged = 1, escaped = 2 };
+
   /// Everything that a checkpoint keeps.
   struct State {
-    std::vector<std::uint8_t> discharged;  ///< by particle id: 1 when counted
+    std::vector<std::uint8_t> place;  ///< by particle id
     /// By sieve: mass that passes it but not the next finer one; last: mass that passes none [kg].
     std::vector<double> sieve_mass;
-    std::int64_t particles = 0, fragments = 0, singles = 0;
-    double mass = 0, singles_mass = 0;
+    std::int64_t particles = 0, fragments = 0, singles = 0;  ///< discharged
+    double mass = 0, singles_mass = 0;                       ///< discharged [kg]
+    std::int64_t escaped_particles = 0;
+    double escaped_mass = 0;  ///< [kg]
 
     template <class F, class... S>
     static constexpr void for_each_field(F&& f, S&... s) {
-      f("discharged", s.discharged...);
+      f("place", s.place...);
       f("sieve_mass", s.sieve_mass...);
       f("particles", s.particles...);
       f("fragments", s.fragments...);
       f("singles", s.singles...);
       f("mass", s.mass...);
       f("singles_mass", s.singles_mass...);
+      f("escaped_particles", s.escaped_particles...);
+      f("escaped_mass", s.escaped_mass...);
     }
   };
 
   /// @param rock_density  of solid rock [kg/m3], for the size of single particles
-  explicit Product(double rock_density);
-  Product(double rock_density, State state);
+  /// @param concave       none: nothing escapes
+  explicit Product(double rock_density, std::optional<ConcaveOutline> concave = {});
+  Product(double rock_density, std::optional<ConcaveOutline> concave, State state);
 
-  /// Counts the fragments that are newly below the discharge plane.
+  /// Counts the fragments that have newly left the chamber.
   /// @param table  of these particles
   void update(const FragmentTable& table, const ParticleSnapshot& particles);
 
-  /// Ids of the particles of all fragments that have been counted and lie completely below z = -depth.
+  /// Ids of the particles of all fragments that have left the chamber and lie completely below z = -depth.
   /// @param depth  [m], >= 0
   std::vector<ParticleId> removable(const FragmentTable& table, const ParticleSnapshot& particles, double depth) const;
 
-  bool is_discharged(ParticleId id) const;
-  /// Number of particles of a snapshot that have not been discharged: the hold-up of the chamber.
+  bool has_left(ParticleId id) const;
+  /// Number of particles of a snapshot that have not left: the hold-up of the chamber.
   std::int64_t inside(const ParticleSnapshot& particles) const;
+  /// Sieve analysis of what was discharged.
   ProductRow row(double time) const;
   const State& state() const { return state_; }
 
  private:
-  void count(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles);
+  bool is_outside(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles) const;
+  void mark(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles, Place place);
+  void count_discharged(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles);
 
   double rock_density_;
+  std::optional<ConcaveOutline> concave_;
   State state_;
 };
 

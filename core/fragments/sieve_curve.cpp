@@ -60,7 +60,7 @@ ProductRow SieveTally::row(double time) const {
   row.particles = particles;
   row.fragments = fragments;
   row.passing.assign(sieve_series().size(), 0.0);
-  if (fragments == 0) return row;
+  if (!(mass > 0)) return row;
   row.singles_share = singles_mass / mass;
   double total = 0, finer = 0;
   for (const double m : sieve_mass) total += m;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/run/summary.hpp"
 
+#include "core/base/errors.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/replace_file.hpp"
 #include "io/run/summary_lines.hpp"
 #include "io/run/summary_table.hpp"
 
-#include <cmath>
 #include <fstream>
 
 namespace gyro {
@@ -20,52 +20,11 @@ void list_figures(const std::vector<Figure<S>>& table, const std::string& prefix
 
 }  // namespace
 
-Json json_of(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json json_of(const std::optional<double>& value) {
-  return value ? json_of(*value) : Json(nullptr);
-}
-
-Json json_of(std::optional<bool> value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json json_of(bool value) {
-  return value;
-}
-
-Json json_of(std::int64_t value) {
-  return value;
-}
-
-Json json_of(const std::string& text) {
-  return text;
-}
-
-Json json_of(const std::optional<std::string>& text) {
-  return text ? Json(*text) : Json(nullptr);
-}
-
-Json json_of(const std::optional<SteadyFigures>& steady) {
-  return steady ? json_of(steady_figures(), *steady) : Json(nullptr);
-}
-
-Json json_of(const std::optional<LaboratoryFigures>& laboratory) {
-  return laboratory ? json_of(laboratory_figures(), *laboratory) : Json(nullptr);
-}
-
-Json json_of(const std::vector<DriveHappening>& events) {
-  Json all = Json::array();
-  for (const DriveHappening& event : events) all.push_back(json_of(drive_event_figures(), event));
-  return all;
-}
-
 std::vector<SummaryMember> summary_members() {
   std::vector<SummaryMember> all;
   list_figures(summary_figures(), "", all);
   list_figures(steady_figures(), "steady.", all);
+  list_figures(motor_figures(), "motor.", all);
   list_figures(laboratory_figures(), "laboratory.", all);
   list_figures(drive_event_figures(), "drive_events[].", all);
   return all;
@@ -99,6 +58,24 @@ std::string to_text(const Summary& s, const std::filesystem::path& directory) {
 
 void write_summary(const Summary& summary, const std::filesystem::path& directory) {
   replace_file(directory / "summary.json", to_json(summary), true);
+}
+
+Summary load_summary(const std::filesystem::path& directory) {
+  const std::filesystem::path path = directory / "summary.json";
+  std::ifstream file(path);
+  if (!file)
+    throw BadInput(path.string() +
+                   ": cannot be read; give the directory of a run that has ended, which writes this file");
+  const Json json = Json::parse(file, nullptr, false);
+  try {
+    if (!json.is_object() || !json.contains("status")) throw BadInput("it has no status");
+    Summary summary;
+    read(summary_figures(), json, summary);
+    return summary;
+  } catch (const std::exception& problem) {
+    throw BadInput(path.string() + ": is no summary of a run (" + problem.what() +
+                   "); restore the file, or run the case again");
+  }
 }
 
 std::optional<EarlierRun> read_summary(const std::filesystem::path& directory) {

@@ -21,16 +21,34 @@ std::string to_string(RunStatus status);
 
 /// Something that happened to the drive: a stall, a trip, a restart.
 struct DriveHappening {
-  double time;  ///< [s]
-  std::string what;
+  double time = 0;  ///< [s]
+  std::string what = {};
 };
 
-/// Means over the part of a run that showed no drift any more.
+/// A figure and its standard error, in the same unit.
+struct Estimate {
+  double value = 0, error = 0;
+};
+
+/// Figures of the part of a run that showed no drift any more.
 struct SteadyFigures {
-  double from;                           ///< [s]
-  double crushing_power;                 ///< [W]
-  double throughput_tph;                 ///< [t/h]
-  std::optional<double> residence_time;  ///< hold-up / throughput [s]
+  double from = 0;                                         ///< [s]
+  std::int64_t gyrations = 0, blocks = 0;                  ///< whole gyrations since then; blocks of them, for errors
+  Estimate crushing_power = {};                            ///< [W]
+  std::optional<Estimate> motor_power = {};                ///< [W]
+  Estimate throughput_tph = {};                            ///< [t/h]
+  std::optional<Estimate> specific_energy_kwh_per_t = {};  ///< crushing energy / discharged mass
+  std::optional<Estimate> p80 = {}, p50 = {};              ///< sieve sizes that these shares of the product pass [m]
+  std::optional<Estimate> product_below_css = {}, product_below_oss = {};  ///< mass shares of the product [-]
+  std::optional<double> residence_time = {};                               ///< hold-up / throughput [s]
+};
+
+/// Mechanical power at the motor's shaft, by rows of /series.
+struct MotorFigures {
+  double from = 0;                                               ///< of the first row [s]
+  double mean = 0, p95 = 0, peak = 0;                            ///< [W]
+  std::optional<double> rated_power = {};                        ///< [W]; none without a name plate
+  std::optional<double> mean_fraction = {}, peak_fraction = {};  ///< of the rated power [-]
 };
 
 /// What a test of one rock in a laboratory case came to.
@@ -61,6 +79,8 @@ struct Summary {
   std::int64_t particles = 0;       ///< live at the end
   std::int64_t bonds_initial = 0, bonds_broken = 0;
   std::optional<double> feed_mass = {}, discharged_mass = {};  ///< [kg]
+  std::optional<double> escaped_mass = {};                     ///< left over the rim, no product [kg]
+  std::optional<double> escaped_fraction = {};                 ///< of the mass fed or there at the start [-]
   std::optional<double> feed_waiting = {};                     ///< was due and found no room at the end [kg]
   std::optional<double> throughput_tph = {};                   ///< discharged mass / simulated time [t/h]
   std::optional<double> specific_energy_kwh_per_t = {};        ///< crushing energy / discharged mass
@@ -71,14 +91,16 @@ struct Summary {
   std::optional<double> singles_share = {};                    ///< mass share of single particles in the product [-]
   std::optional<double> swell_of_crumbled = {};                ///< loose volume of crumbled / volume of solid rock [-]
   std::optional<double> mean_crushing_power = {};              ///< [W]
-  std::optional<double> energy_residual_fraction = {};         ///< residual / work done by walls and gravity
+  std::optional<double> energy_residual_fraction = {};         ///< residual / larger of work and largest energy
   std::optional<double> momentum_residual_fraction = {};       ///< residual / impulses of walls and gravity
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
   bool stalled = false;
-  std::optional<bool> choked = {};           ///< more rock waits for room than one gyration feeds
-  std::optional<double> holdup_mass = {};    ///< at the end [kg]
-  std::optional<SteadyFigures> steady = {};  ///< none: the run was too short to be steady
+  std::optional<bool> choked = {};             ///< more rock waits for room than one gyration feeds
+  std::optional<double> holdup_mass = {};      ///< at the end [kg]
+  std::optional<SteadyFigures> steady = {};    ///< since the run is steady
+  std::optional<std::string> not_steady = {};  ///< why the run is not steady; none: it is, or nobody can tell
+  std::optional<MotorFigures> motor = {};      ///< none without a motor whose power is known
   std::optional<LaboratoryFigures> laboratory = {};
   std::vector<DriveHappening> drive_events = {};  ///< in order; empty without a drivetrain
 };
@@ -100,6 +122,10 @@ std::string to_text(const Summary& summary, const std::filesystem::path& directo
 
 /// Writes DIRECTORY/summary.json in one piece. @throws OutputError
 void write_summary(const Summary& summary, const std::filesystem::path& directory);
+
+/// Reads all of DIRECTORY/summary.json, to print it again. What the file of an older version lacks is left out.
+/// @throws BadInput when it is missing or not a summary
+Summary load_summary(const std::filesystem::path& directory);
 
 /// What a later run in the same directory needs to know.
 struct EarlierRun {

@@ -3,6 +3,8 @@
 
 #include "io/run/progress.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -11,6 +13,38 @@ namespace {
 
 std::string speed(double count, double seconds, const char* of) {
   return seconds > 0 ? ", " + format_count(count / seconds) + " " + of + "/s" : std::string();
+}
+
+/// A unit that fits a number: number x factor is in it.
+struct Unit {
+  double factor;
+  const char* name;
+};
+
+Unit mass_unit(double mass) {
+  return mass >= 1000 ? Unit{1e-3, "t"} : mass >= 0.1 ? Unit{1, "kg"} : Unit{1e3, "g"};
+}
+Unit flow_unit(double tph) {
+  return tph >= 1 ? Unit{1, "t/h"} : Unit{1e3, "kg/h"};
+}
+Unit power_unit(double power) {
+  return std::abs(power) >= 1000 ? Unit{1e-3, "kW"} : Unit{1, "W"};
+}
+
+std::string text_of(double value, const Unit& unit) {
+  return format("%.4g ", value * unit.factor) + unit.name;
+}
+std::string text_of(const Estimate& e, const Unit& unit) {
+  return format("%.4g +- %.2g ", e.value * unit.factor, e.error * unit.factor) + unit.name;
+}
+
+/// Of the steady part where there is one, else of the whole run.
+template <class UnitOf>
+std::string figure_line(const char* name, const Summary& s, const std::optional<Estimate>& steady,
+                        const std::optional<double>& whole, const UnitOf& unit_of, const char* what = "") {
+  if (s.steady) return steady ? line(name, text_of(*steady, unit_of(steady->value)) + what) : std::string();
+  return whole ? line(name, text_of(*whole, unit_of(*whole)) + what + (s.not_steady ? ", start-up" : ""))
+               : std::string();
 }
 
 }  // namespace
@@ -33,15 +67,55 @@ std::string number_line(const char* name, const std::optional<double>& value, do
   return value ? line(name, format("%.*g", digits, *value * scale) + unit) : std::string();
 }
 
+std::string mass_line(const char* name, const std::optional<double>& mass) {
+  return mass ? line(name, text_of(*mass, mass_unit(*mass))) : std::string();
+}
+
+std::string throughput_line(const Summary& s) {
+  return figure_line("throughput", s, s.steady ? std::optional(s.steady->throughput_tph) : std::nullopt,
+                     s.throughput_tph, flow_unit);
+}
+
+std::string p80_line(const Summary& s) {
+  return figure_line("product P80", s, s.steady ? s.steady->p80 : std::nullopt, s.p80, [](double) {
+    return Unit{1e3, "mm"};
+  });
+}
+
+std::string crushing_power_line(const Summary& s) {
+  return figure_line("crushing power", s, s.steady ? std::optional(s.steady->crushing_power) : std::nullopt,
+                     s.mean_crushing_power, power_unit, ", mean");
+}
+
+std::string specific_energy_line(const Summary& s) {
+  return figure_line("specific energy", s, s.steady ? s.steady->specific_energy_kwh_per_t : std::nullopt,
+                     s.specific_energy_kwh_per_t, [](double) {
+                       return Unit{1, "kWh/t"};
+                     });
+}
+
 std::string waiting_line(const Summary& s) {
   if (!s.feed_waiting || !(*s.feed_waiting > 0)) return {};
-  return line("waiting", format("%.4g t, which found no room", *s.feed_waiting / 1e3));
+  return line("waiting", text_of(*s.feed_waiting, mass_unit(*s.feed_waiting)) + ", which found no room");
+}
+
+std::string escaped_line(const Summary& s) {
+  if (!s.escaped_mass || !(*s.escaped_mass > 0)) return {};
+  return line("escaped", text_of(*s.escaped_mass, mass_unit(*s.escaped_mass)) +
+                             format(" over the rim, %.2g %% of the feed; not in the product",
+                                    100 * s.escaped_fraction.value_or(0)));
 }
 
 std::string below_settings_line(const Summary& s) {
-  if (!s.product_below_oss || !s.product_below_css) return {};
-  return line("",
-              format("%.3g %% below OSS, %.3g %% below CSS", 100 * *s.product_below_oss, 100 * *s.product_below_css));
+  const auto value = [&](std::optional<Estimate> SteadyFigures::*steady, const std::optional<double>& whole) {
+    if (!s.steady) return whole;
+    const std::optional<Estimate>& e = (*s.steady).*steady;
+    return e ? std::optional(e->value) : std::nullopt;
+  };
+  const auto oss = value(&SteadyFigures::product_below_oss, s.product_below_oss);
+  const auto css = value(&SteadyFigures::product_below_css, s.product_below_css);
+  if (!oss || !css) return {};
+  return line("", format("%.3g %% below OSS, %.3g %% below CSS", 100 * *oss, 100 * *css));
 }
 
 std::string single_particles_line(const Summary& s) {
@@ -52,8 +126,26 @@ std::string single_particles_line(const Summary& s) {
 
 std::string steady_line(const Summary& s) {
   if (!s.steady) return {};
-  return line("steady", format("from %.4g s: %.4g kW, %.4g t/h", s.steady->from, s.steady->crushing_power / 1e3,
-                               s.steady->throughput_tph));
+  return line(
+      "steady",
+      format("since %.4g s: the figures below are of %lld gyrations, with standard errors from %lld blocks",
+             s.steady->from, static_cast<long long>(s.steady->gyrations), static_cast<long long>(s.steady->blocks)));
+}
+
+std::string not_steady_line(const Summary& s) {
+  return s.not_steady ? line("not steady", *s.not_steady + "; the figures below are of the start-up") : std::string();
+}
+
+std::string motor_line(const Summary& s) {
+  if (!s.motor) return {};
+  const MotorFigures& m = *s.motor;
+  const Unit unit = power_unit(std::max(std::abs(m.mean), std::abs(m.peak)));
+  std::string text =
+      text_of(m.mean, unit) + " mean, " + text_of(m.p95, unit) + " 95 %, " + text_of(m.peak, unit) + " peak";
+  if (m.rated_power && m.mean_fraction && m.peak_fraction)
+    text += format("; mean %.3g %%, peak %.3g %% of rated ", 100 * *m.mean_fraction, 100 * *m.peak_fraction) +
+            text_of(*m.rated_power, power_unit(*m.rated_power));
+  return line("motor power", text);
 }
 
 std::string drive_event_lines(const Summary& s) {
@@ -79,8 +171,11 @@ std::string bonds_line(const Summary& s) {
 }
 
 std::string time_step_line(const Summary& s) {
-  if (!(s.time_step_limit > 0)) return {};
-  return line("time step", format("%.4g us, limit %.4g us", s.time_step * 1e6, s.time_step_limit * 1e6));
+  if (!(s.time_step > 0)) return {};
+  // Without rock and bonds nothing limits the step: infinity, which JSON has not.
+  const bool limited = s.time_step_limit > 0 && std::isfinite(s.time_step_limit);
+  return line("time step", format("%.4g us", s.time_step * 1e6) +
+                               (limited ? format(", limit %.4g us", s.time_step_limit * 1e6) : std::string()));
 }
 
 std::string device_line(const Summary& s) {

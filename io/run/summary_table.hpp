@@ -1,40 +1,121 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/errors.hpp"
 #include "io/run/summary.hpp"
 #include "io/run/text.hpp"
 
-#include <concepts>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 
 namespace gyro {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON of a figure's value; what is not there or not finite is null.
+/// JSON of a figure's value; a number that is not finite, and what is not there, is null.
 Json json_of(double value);
-Json json_of(const std::optional<double>& value);
-Json json_of(std::optional<bool> value);
 Json json_of(bool value);
+Json json_of(int value);
 Json json_of(std::int64_t value);
+Json json_of(RunStatus status);
 Json json_of(const std::string& text);
-Json json_of(const std::optional<std::string>& text);
-Json json_of(const std::optional<SteadyFigures>& steady);
-Json json_of(const std::optional<LaboratoryFigures>& laboratory);
+Json json_of(const SteadyFigures& steady);
+Json json_of(const MotorFigures& motor);
+Json json_of(const LaboratoryFigures& laboratory);
 Json json_of(const std::vector<DriveHappening>& events);
+template <class T>
+Json json_of(const std::optional<T>& value) {
+  return value ? json_of(*value) : Json(nullptr);
+}
 
-/// The function of a figure: a lambda without captures.
+/// Fills a value from its JSON, which is not null. @throws Json::exception for JSON of another type; BadInput for an
+/// unknown status
+void read(const Json& json, double& value);
+void read(const Json& json, bool& value);
+void read(const Json& json, int& value);
+void read(const Json& json, std::int64_t& value);
+void read(const Json& json, RunStatus& status);
+void read(const Json& json, std::string& text);
+void read(const Json& json, SteadyFigures& steady);
+void read(const Json& json, MotorFigures& motor);
+void read(const Json& json, LaboratoryFigures& laboratory);
+void read(const Json& json, std::vector<DriveHappening>& events);
+template <class T>
+void read(const Json& json, std::optional<T>& value) {
+  read(json, value.emplace());
+}
+
+inline const Estimate* there(const Estimate& e) {
+  return &e;
+}
+inline const Estimate* there(const std::optional<Estimate>& e) {
+  return e ? &*e : nullptr;
+}
+
+/// Where a figure's value is: the member of a struct, or one half of an estimate there.
+template <auto Member>
+struct Field {
+  template <class S>
+  static Json write(const S& s) {
+    return json_of(s.*Member);
+  }
+  template <class S>
+  static void fill(S& s, const Json& json) {
+    read(json, s.*Member);
+  }
+};
+template <auto Member>
+struct TextOrNull : Field<Member> {
+  template <class S>
+  static Json write(const S& s) {
+    return (s.*Member).empty() ? Json(nullptr) : json_of(s.*Member);
+  }
+};
+template <auto Member>
+struct EstimateValue {
+  template <class S>
+  static Json write(const S& s) {
+    const Estimate* e = there(s.*Member);
+    return e ? json_of(e->value) : Json(nullptr);
+  }
+  template <class S>
+  static void fill(S& s, const Json& json) {
+    s.*Member = Estimate{json.get<double>(), std::numeric_limits<double>::quiet_NaN()};
+  }
+};
+template <auto Member>
+struct EstimateError {
+  template <class S>
+  static Json write(const S& s) {
+    const Estimate* e = there(s.*Member);
+    return e ? json_of(e->error) : Json(nullptr);
+  }
+  template <class S>
+  static void fill(S& s, const Json& json) {
+    if (const Estimate* e = there(s.*Member)) s.*Member = Estimate{e->value, json.get<double>()};
+  }
+};
+template <auto Member>
+inline constexpr Field<Member> field{};
+template <auto Member>
+inline constexpr TextOrNull<Member> text_or_null{};  ///< null where the text is empty
+template <auto Member>
+inline constexpr EstimateValue<Member> estimate_value{};
+template <auto Member>
+inline constexpr EstimateError<Member> estimate_error{};  ///< stands behind the value in its table
+
+/// How a figure is written and read.
 template <class S>
 class FigureValue {
  public:
-  template <class F>
-  requires std::is_empty_v<F> && std::invocable<F, const S&>
-  constexpr FigureValue(F) : json_([](const S& s) { return json_of(F{}(s)); }) {}
-  Json operator()(const S& s) const { return json_(s); }
+  template <class Place>
+  constexpr FigureValue(const Place&) : write_(&Place::template write<S>), fill_(&Place::template fill<S>) {}
+  Json operator()(const S& s) const { return write_(s); }
+  void fill(S& s, const Json& json) const { fill_(s, json); }
 
  private:
-  Json (*json_)(const S&);
+  Json (*write_)(const S&);
+  void (*fill_)(S&, const Json&);
 };
 
 /// A member of summary.json: what is said of it, where its value comes from, and its line on the terminal.
@@ -51,6 +132,7 @@ struct Figure {
 /// The tables, in the order of the file and of the terminal.
 const std::vector<Figure<Summary>>& summary_figures();
 const std::vector<Figure<SteadyFigures>>& steady_figures();
+const std::vector<Figure<MotorFigures>>& motor_figures();
 const std::vector<Figure<LaboratoryFigures>>& laboratory_figures();
 const std::vector<Figure<DriveHappening>>& drive_event_figures();
 
@@ -59,6 +141,15 @@ Json json_of(const std::vector<Figure<S>>& table, const S& s) {
   Json json = Json::object();
   for (const Figure<S>& figure : table) json[std::string(figure.name)] = figure.value(s);
   return json;
+}
+
+/// Fills what the JSON of a struct has; what it lacks or has as null stays as it is.
+template <class S>
+void read(const std::vector<Figure<S>>& table, const Json& json, S& s) {
+  if (!json.is_object()) throw BadInput("`" + json.dump() + "` stands where figures should");
+  for (const Figure<S>& figure : table)
+    if (const auto found = json.find(std::string(figure.name)); found != json.end() && !found->is_null())
+      figure.value.fill(s, *found);
 }
 
 template <class S>

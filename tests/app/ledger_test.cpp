@@ -66,6 +66,26 @@ TEST_CASE("The guard measures little work by the energy that is there") {
   }
 }
 
+TEST_CASE("The residual is a share of the larger of work and energy, as the guard measures it") {
+  Ledger ledger;
+  CHECK(ledger.residual_fraction() == 0);  // neither work nor energy
+  // A ball slides on a floor until it rolls: 12.9 J, while floor and gravity do 2.4e-4 J of work.
+  EnergyTerms e;
+  e.kinetic = e.exchanged = 12.9;
+  ledger.open(e);
+  e.kinetic = 12.9 * 5 / 7;
+  e.friction = 12.9 * 2 / 7 - 2.7e-6;
+  e.potential = -2.4e-4;
+  e.wall_work = -2.4e-4;
+  REQUIRE(e.residual() == Approx(-2.7e-6).epsilon(1e-6));
+  REQUIRE_FALSE(ledger.close(0.001, e, {}));
+  CHECK(ledger.scale() == 12.9);  // of the start: none of it was seen at the end of a window
+  CHECK(ledger.residual_fraction() == Approx(-2.1e-7).epsilon(0.01));
+  e.friction += 12.9 * 0.06;
+  CHECK(ledger.close(0.002, e, {}));
+  CHECK(ledger.residual_fraction() == Approx(0.06).epsilon(1e-3));
+}
+
 TEST_CASE("The guard knows that held contacts lag, and by how much") {
   // A force F t^(3/2) that begins at t = 0: its work is 2/5 F t^(5/2); the balance is off by that of the last contact
   // step.

@@ -50,6 +50,70 @@ TEST_CASE("Maps of the liners: asked for, they lie in results.h5, and add up") {
   CHECK(file.dataset("/series/wall_force_concave").columns() == 3);
 }
 
+TEST_CASE("A start-up is called one, and the motor's figures are those of its rows") {
+  const Workplace place;
+  const Outcome outcome = place.gyrosim("run " + crush + " --until '6 ms' --out r --set output.snapshots=0");
+  REQUIRE(outcome.code == 0);
+  const nlohmann::json summary = summary_of(place.path() / "r");
+  CHECK(summary["steady"].is_null());
+  CHECK(summary["not_steady"] == "the run is too short: 0 gyrations, at least 10 are needed");
+  CHECK(outcome.out.find("the figures below are of the start-up") != std::string::npos);
+  std::vector<double> power = result_of(place.path() / "r", "series/motor_power");
+  std::ranges::sort(power);
+  CHECK(summary["motor"]["peak"].get<double>() == Approx(power.back()));
+  CHECK(summary["motor"]["p95"].get<double>() == Approx(power[11]));  // 12 rows
+  CHECK(summary["motor"]["mean"].get<double>() ==
+        Approx(std::accumulate(power.begin(), power.end(), 0.0) / 12).epsilon(1e-9));
+  CHECK(summary["motor"]["rated_power"].is_null());  // droop has no name plate
+}
+
+TEST_CASE("A machine without rock is steady once it has run up, in parts as in one piece") {
+  const Workplace place;
+  const std::string run =
+      "run '" GYRO_CASES
+      "/mkii-62-75/no-load.yaml' --set 'drivetrain.motor={model: induction, "
+      "rated_power: 600 kW, synchronous_speed: 600 rpm, rated_slip: 0.0167, breakdown_ratio: 2.5}' ";
+  const Outcome outcome = place.gyrosim(run + "--out whole");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  REQUIRE(place.gyrosim(run + "--until '5 s' --out parts").code == 0);
+  REQUIRE(place.gyrosim(run + "--resume --out parts").code == 0);
+  const nlohmann::json summary = summary_of(place.path() / "whole"), again = summary_of(place.path() / "parts");
+  INFO(summary.dump(1));
+  const nlohmann::json steady = summary["steady"];
+  REQUIRE(steady.is_object());
+  CHECK(steady == again["steady"]);
+  CHECK(summary["motor"] == again["motor"]);
+  CHECK(steady["from"] > 0.5);
+  CHECK(steady["throughput_tph"] == 0);
+  CHECK(steady["p80_error"].is_null());
+  CHECK(steady["motor_power_error"].is_number());
+  CHECK(summary["motor"]["from"] == steady["from"]);
+  CHECK(summary["motor"]["rated_power"].get<double>() == Approx(600e3));
+  CHECK(summary["motor"]["mean_fraction"].get<double>() == Approx(summary["motor"]["mean"].get<double>() / 600e3));
+}
+
+TEST_CASE("report prints the summary again, and the log keeps it") {
+  const Workplace place;
+  const Outcome run = place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0");
+  REQUIRE(run.code == 0);
+  REQUIRE(run.out.find("discharged") != std::string::npos);
+  const Outcome report = place.gyrosim("report run");
+  CHECK(report.code == 0);
+  CHECK(report.out == run.out);
+  const std::string log = read_text(place.path() / "run/log.txt");
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) CHECK(log.find(line) != std::string::npos);
+
+  for (const char* nothing : {"nowhere", "."}) {
+    const Outcome refused = place.gyrosim(std::string("report ") + nothing);
+    CHECK(refused.code == 2);
+    CHECK(refused.out.empty());
+    CHECK(refused.err.find("summary.json: cannot be read; give the directory of a run") != std::string::npos);
+  }
+  CHECK(place.gyrosim("report").code == 2);
+}
+
 TEST_CASE("export csv writes the series with units in the names") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);

@@ -54,7 +54,7 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
         "motor_torque", "mantle_torque",        "motor_power",        "crushing_power",  "mantle_force",
         "feed_mass",    "discharged_mass",      "holdup_mass",        "throughput",      "particles",
         "bonds_intact", "bonds_broken_tension", "bonds_broken_shear", "fragments",       "max_overlap_ratio",
-        "loss_power",   "wall_seconds"}) {
+        "loss_power",   "wall_seconds",         "escaped_mass"}) {
     INFO(name);
     const std::size_t columns = std::string(name) == "mantle_force" ? 3 : 1;
     CHECK(result_of(run, std::string("series/") + name).size() == 120 * columns);
@@ -85,6 +85,7 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
   const double fed = summary["feed_mass"], discharged = summary["discharged_mass"];
   CHECK(result_of(run, "series/holdup_mass").back() == Approx(fed - discharged));
   CHECK(summary["throughput_tph"].get<double>() == Approx(discharged / 0.06 * 3.6));
+  CHECK((summary["escaped_mass"] == 0 && summary["escaped_fraction"] == 0));
   CHECK(result_of(run, "product/mass").back() == discharged);
   CHECK(result_of(run, "holdup/mass").back() == Approx(fed - discharged));
   CHECK(result_of(run, "holdup/fragments").back() + result_of(run, "product/fragments").back() ==
@@ -117,8 +118,8 @@ TEST_CASE("A scene without bonds, feed, crusher and drive has none of their outp
   CHECK(summary["particles"] == 300);
   CHECK(summary["bonds_initial"] == 0);
   CHECK(summary["bond_steps"] == 0);
-  for (const char* name : {"feed_mass", "discharged_mass", "throughput_tph", "specific_energy_kwh_per_t", "p80", "p50",
-                           "singles_share", "mean_crushing_power"})
+  for (const char* name : {"feed_mass", "discharged_mass", "escaped_mass", "throughput_tph",
+                           "specific_energy_kwh_per_t", "p80", "p50", "singles_share", "mean_crushing_power"})
     CHECK(summary[name].is_null());
   CHECK(summary["mass_residual_fraction"] == 0);
   CHECK(!fs::exists(run / "bonds.pvd"));

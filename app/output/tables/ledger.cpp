@@ -65,7 +65,7 @@ const Table<LedgerReading, WindowReading>& ledger_table() {
           {.name = "mass_residual",
            .units = "1",
            .value = [](const Row& r) { return r.mass_residual; },
-           .description = "particles fed less particles discharged less particles inside"},
+           .description = "particles fed less particles discharged, escaped and inside"},
           {.name = "power_residual",
            .units = "W",
            .value = [](const WindowReading& m) { return m.drive.power_residual; },

@@ -70,11 +70,12 @@ const Table<CurveReading>& product_table() {
 }
 
 const Table<CurveReading>& holdup_table() {
-  static const Table<CurveReading> table{
-      .group = "/holdup",
-      .rows = "sieve analysis of all that is in the scene and not discharged, one row with each row of /series",
-      .presence = with_product,
-      .columns = curve_columns()};
+  static const Table<CurveReading> table{.group = "/holdup",
+                                         .rows =
+                                             "sieve analysis of all that is in the scene and neither discharged nor "
+                                             "escaped, one row with each row of /series",
+                                         .presence = with_product,
+                                         .columns = curve_columns()};
   return table;
 }
 

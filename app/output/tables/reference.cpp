@@ -93,7 +93,9 @@ the interval that it stands for; `sampling` says how:
 * `mean`: the mean over the interval. Powers, torques, forces and rates.
 * `sum`: the sum over the interval.
 
-Units are SI; 1 is a pure number, - is no number. What a case does not have is left out. `<wall>` stands for the name of a
+Units are SI; 1 is a pure number, - is no number. A figure of summary.json whose unit is not SI ends in the unit (`_tph`:
+t/h, `_kwh_per_t`: kWh/t); `_seconds` tells two clocks apart, `_fraction` and `_share` are pure numbers, and `_error` behind a
+name is the standard error of that figure in the same unit. What a case does not have is left out. `<wall>` stands for the name of a
 wall, `<id>` for the id of a particle.
 )";
 

@@ -26,7 +26,7 @@ struct WindowReading {
 struct SeriesReading {
   double time = 0, interval = 0;                                                      ///< end and length of the row [s]
   double motor_speed = 0, eccentric_speed = 0, eccentric_angle = 0, mantle_spin = 0;  ///< [rad/s], [rad]
-  double feed_mass = 0, discharged_mass = 0, holdup_mass = 0;                         ///< [kg]
+  double feed_mass = 0, discharged_mass = 0, escaped_mass = 0, holdup_mass = 0;       ///< [kg]
   double discharged_before = 0;                                                       ///< at the row's begin [kg]
   Counts counts = {};
   std::int64_t fragments = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/errors.hpp"
 #include "core/fragments/hold_up.hpp"
 #include "snapshots.hpp"
 #include "tests/catch.hpp"
@@ -88,6 +89,64 @@ TEST_CASE("Passing sizes are interpolated between sieves on a logarithmic scale"
   CHECK(!passing_size(std::vector<double>(sieves.size(), 1.0), 0.8));  // all finer than the finest sieve
 }
 
+TEST_CASE("Rock outside of the concave below its rim has escaped, and is no product", "[product]") {
+  const ConcaveOutline concave({{0.2, 0.3}, {0.1, 0.0}});  // opens upwards from 0.1 to 0.2 m
+  ParticleSnapshot p;
+  add_fragment(p, block(1, 1, 2, 0.01), 0.01, rock_density, {0, 0, 0.15});      // ids 0, 1: in the chamber
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {0.16, 0, 0.15});            // 2: just outside of 0.15 m
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {0, 0.25, 0.295});           // 3: outside, reaches above the rim
+  add_fragment(p, block(2, 1, 1, 0.01), 0.01, rock_density, {0.145, 0, 0.15});  // 4, 5: one centre on either side
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {0.12, 0, -0.02});           // 6: below, within the cone
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {0.14, 0, -0.02});           // 7: below, outside of it
+  Product product(rock_density, concave);
+  HoldUp hold_up(rock_density);
+  const auto update = [&] {
+    product.update(fragment_table(p), p);
+    hold_up.update(fragment_table(p), p, product);
+  };
+  update();
+  const auto place = [&](ParticleId id) { return static_cast<int>(product.state().place[id]); };
+  CHECK(place(2) == Product::escaped);
+  CHECK(place(6) == Product::discharged);
+  CHECK(place(7) == Product::escaped);
+  for (const ParticleId id : {0u, 1u, 3u, 4u, 5u}) CHECK_FALSE(product.has_left(id));
+  CHECK(product.row(0).mass == Approx(p.mass[6]));
+  CHECK(product.row(0).particles == 1);
+  CHECK(product.state().escaped_mass == Approx(2 * p.mass[6]));
+  CHECK(product.state().escaped_particles == 2);
+  CHECK(product.inside(p) == 5);
+  CHECK(hold_up.row(0).mass == Approx(5 * p.mass[6]));
+
+  move_down(p, 0.05);  // now all of 3 is below the rim, and both centres of 4 and 5 are outside
+  update();
+  for (const ParticleId id : {3u, 4u, 5u}) CHECK(place(id) == Product::escaped);
+  move_down(p, 0.35);  // the chamber falls through the opening; what has escaped stays escaped
+  update();
+  CHECK(product.state().escaped_particles == 5);
+  CHECK(product.row(0).particles == 3);
+  CHECK(product.inside(p) == 0);
+  CHECK(product.removable(fragment_table(p), p, 0).size() == 8);
+}
+
+TEST_CASE("Without a concave all that falls below the plane is product", "[product]") {
+  ParticleSnapshot p;
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {5, 0, -1});
+  Product product(rock_density);
+  product.update(fragment_table(p), p);
+  CHECK(product.row(0).particles == 1);
+  CHECK(product.state().escaped_particles == 0);
+}
+
+TEST_CASE("An outline needs points of two heights", "[product]") {
+  CHECK_THROWS_AS(ConcaveOutline({}), BadInput);
+  CHECK_THROWS_AS(ConcaveOutline({{1, 0.5}, {2, 0.5}}), BadInput);
+  CHECK_THROWS_AS(ConcaveOutline({{1, 0}, {std::nan(""), 1}}), BadInput);
+  const ConcaveOutline steps({{1, 0}, {1, 1}, {2, 1}, {2, 2}});  // a ledge at z = 1
+  CHECK(steps.radius(0.5) == 1);
+  CHECK(steps.radius(1.5) == 2);
+  CHECK(steps.radius(-0.5) == Approx(1.6));
+}
+
 TEST_CASE("A product continues from its saved state", "[product]") {
   ParticleSnapshot p;
   for (int k = 0; k < 10; ++k)
@@ -96,7 +155,7 @@ TEST_CASE("A product continues from its saved state", "[product]") {
   move_down(p, 0.5);
   whole.update(fragment_table(p), p);
   first.update(fragment_table(p), p);
-  Product second(rock_density, first.state());
+  Product second(rock_density, {}, first.state());
   move_down(p, 1.0);
   whole.update(fragment_table(p), p);
   second.update(fragment_table(p), p);
