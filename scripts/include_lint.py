@@ -6,7 +6,7 @@
     base <- math <- exec <- dem                              the executor knows a machine and nothing of what it computes
     base .. laws <- geometry rocks fragments walls feed      preparation; the engine uses nothing of it
     base .. scene <- mbd                                     the drivetrain knows windows, not the particle engine
-    base .. surfaces, preparation, mbd <- io                 files; in it hdf5 <- run, and mesh, stand alone
+    base .. surfaces, preparation, mbd <- io                 files; in it files and hdf5 <- run, and files <- mesh, stand alone
     everything <- app                                        in it simulation <- verify, bench <- commands
 
 Usage: include_lint.py [ROOT]
@@ -54,10 +54,11 @@ ALLOWED = {
     "gpu": (*(f"core/{name}/" for name in ENGINE), "gpu/"),
     "mbd": (*SCENE, "mbd/"),
     "io": (*DATA, "mbd/", "io/"),
+    "io/files": ("core/base/", "io/files/"),
     "io/hdf5": ("core/base/", "io/hdf5/"),
-    "io/mesh": (*DATA, "io/mesh/"),
-    "io/run": (*DATA, "mbd/", "io/hdf5/", "io/run/"),
-    "io/rocks": (*DATA, "io/mesh/", "io/hdf5/", "io/run/", "io/rocks/"),
+    "io/mesh": (*DATA, "io/files/", "io/mesh/"),
+    "io/run": (*DATA, "mbd/", "io/files/", "io/hdf5/", "io/run/"),
+    "io/rocks": (*DATA, "io/files/", "io/mesh/", "io/hdf5/", "io/run/", "io/rocks/"),
     "app": (*PROGRAM, "app/"),
     "app/simulation": ("core/", "mbd/", "gpu/", "app/simulation/"),  # a library: no case files, no output files
     "app/assembly": (*PROGRAM, "app/simulation/", "app/assembly/"),

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/csv.hpp"
 
+#include "io/files/read_file.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 
 namespace gyro {
 namespace {
@@ -118,11 +120,14 @@ int CsvTable::column(std::string_view name) const {
 
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& header,
                   const std::vector<std::vector<std::string>>& groups) {
-  std::ifstream stream(file);
-  if (stream) return CsvReader(header, groups).read(stream);
-  CsvTable unreadable;
-  unreadable.problems.push_back({1, 1, "cannot be opened; check its permissions"});
-  return unreadable;
+  try {
+    std::istringstream stream(read_file(file));
+    return CsvReader(header, groups).read(stream);
+  } catch (const UnreadableFile& unreadable) {
+    CsvTable table;
+    table.problems.push_back({1, 1, unreadable.problem});
+    return table;
+  }
 }
 
 }  // namespace gyro

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/parts.hpp"
+#include "io/files/read_file.hpp"
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 // Whether a run may continue with a case: the case of its checkpoint against the case asked for now.
@@ -39,10 +38,8 @@ std::map<std::string, std::string> values_of(const std::string& resolved) {
 
 /// FNV-1a, 64 bits, of a file's bytes.
 std::uint64_t digest_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325;
-  for (auto byte = std::istreambuf_iterator<char>(stream); byte != std::istreambuf_iterator<char>(); ++byte)
-    hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3;
+  for (const char byte : read_file(file)) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
   return hash;
 }
 
@@ -60,16 +57,18 @@ std::optional<CaseDifference> difference(const std::string& resolved, const std:
   return {};
 }
 
-std::string input_digests(const Setting& setting) {
+std::string input_digests(const Setting& setting, CaseProblems& problems) {
   std::string lines;
   const KeyType type = setting.key ? setting.key->type : KeyType::section;
   if (type == KeyType::file || type == KeyType::files)
-    for (const std::string& file : setting.texts) {
-      char digest[24];
-      std::snprintf(digest, sizeof digest, "%016llx ", static_cast<unsigned long long>(digest_of(file)));
-      lines += digest + file + "\n";
-    }
-  for (const Setting& child : setting.children) lines += input_digests(child);
+    for (const std::string& file : setting.texts) try {
+        char digest[24];
+        std::snprintf(digest, sizeof digest, "%016llx ", static_cast<unsigned long long>(digest_of(file)));
+        lines += digest + file + "\n";
+      } catch (const UnreadableFile& unreadable) {
+        problems.add_in_file(file, 1, 1, unreadable.problem);
+      }
+  for (const Setting& child : setting.children) lines += input_digests(child, problems);
   return lines;
 }
 

@@ -2,6 +2,7 @@
 #include "io/rocks/library_cache.hpp"
 
 #include "core/rocks/recipe.hpp"
+#include "io/files/read_file.hpp"
 #include "io/rocks/digest.hpp"
 #include "io/rocks/library_file.hpp"
 
@@ -10,7 +11,6 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
-#include <iterator>
 
 namespace gyro {
 namespace {
@@ -22,21 +22,16 @@ fs::path cache_file(const fs::path& folder, const std::string& recipe) {
   return folder / ("rocks-" + fnv1a_128(recipe) + ".h5");
 }
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// Appends the digest of a file's content to it. HDF5 ignores what stands behind its data.
 void seal(const fs::path& file) {
-  const std::string digest = fnv1a_128(bytes_of(file));
+  const std::string digest = fnv1a_128(read_file(file));
   std::ofstream(file, std::ios::binary | std::ios::app) << digest;
 }
 
 /// Whether a file ends with the digest of what stands before. The HDF5 library can crash on damaged files, so that none
 /// is opened with it.
 bool is_sealed(const fs::path& file) {
-  const std::string bytes = bytes_of(file);
+  const std::string bytes = read_file(file);
   const std::size_t length = fnv1a_128({}).size();
   if (bytes.size() < length) return false;
   return fnv1a_128(bytes.substr(0, bytes.size() - length)) == bytes.substr(bytes.size() - length);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/run/summary.hpp"
 
+#include "io/files/read_file.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/replace_file.hpp"
 #include "io/run/summary_lines.hpp"
 #include "io/run/summary_table.hpp"
 
 #include <cmath>
-#include <fstream>
+#include <filesystem>
 
 namespace gyro {
 namespace {
@@ -102,8 +103,9 @@ void write_summary(const Summary& summary, const std::filesystem::path& director
 }
 
 std::optional<EarlierRun> read_summary(const std::filesystem::path& directory) {
-  std::ifstream file(directory / "summary.json");
-  const Json json = Json::parse(file, nullptr, false);
+  const std::filesystem::path file = directory / "summary.json";
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  const Json json = Json::parse(read_file(file), nullptr, false);
   if (!json.is_object() || !json.contains("status") || !json["status"].is_string()) return std::nullopt;
   EarlierRun run{json["status"].get<std::string>(), 0};
   if (json.contains("simulated_seconds") && json["simulated_seconds"].is_number())
