@@ -2,6 +2,7 @@
 #include "app/assembly/assembly.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/mesh_checks.hpp"
 #include "app/assembly/rocks.hpp"
 #include "io/rocks/library_cache.hpp"
 
@@ -67,6 +68,8 @@ void set_rock(Assembly& out, const Case& input) {
   }
   setup.start = blaming("particles", [&] { return start_state(input); });
   setup.bond_strength = bond_strength(input);
+  const double rock = removal_depth(setup.library, setup.start) / 2;
+  for (std::string& note : size_notes(input, setup.scene.walls, rock)) out.notes.push_back(std::move(note));
   if (input.crusher)
     setup.discharge = Discharge{input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start))};
 }

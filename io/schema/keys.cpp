@@ -94,7 +94,8 @@ const std::vector<Key> rock_keys = {
     {.path = "rocks.shapes", .required = true, .one_of = "procedural|files|cylinder", .doc = "Shapes of the rocks."},
     {.path = "rocks.shapes.procedural", .type = integer, .range = {.low = 1, .high = 10000},
      .doc = "Number of random polyhedra, generated from the seed."},
-    {.path = "rocks.shapes.files", .type = files, .doc = "Closed STL or OBJ meshes, scaled to the sizes of the size distribution."},
+    {.path = "rocks.shapes.files", .type = files, .doc = "Closed STL or OBJ meshes, scaled to the sizes of the size "
+            "distribution; their unit, position and orientation do not matter."},
     {.path = "rocks.shapes.cylinder", .type = quantity, .range = {.low = 0.1, .high = 10},
      .doc = "Length / diameter of cylindrical test specimens; the axis is x, or z if the specimen is shorter than 0.87 "
             "diameters."},
@@ -171,7 +172,16 @@ const std::vector<Key> rock_keys = {
 
 const std::vector<Key> wall_keys = {
     {.path = "walls", .type = named, .doc = "Rigid walls by name; `concave` and `mantle` take their shape from crusher.profile if that is given."},
-    {.path = "walls.<name>.stl", .type = file, .doc = "Closed or open STL or OBJ mesh in metres."},
+    {.path = "walls.<name>.stl", .type = file,
+     .doc = "Closed or open STL or OBJ mesh in metres, with z upwards along the machine's axis; drawn otherwise, it is scaled, then "
+            "rotated, then shifted by the keys scale, rotate and shift."},
+    {.path = "walls.<name>.scale", .type = quantity, .range = positive, .when = "stl",
+     .doc = "Factor on the coordinates of the mesh: 0.001 for a drawing in mm; 1 by default."},
+    {.path = "walls.<name>.rotate", .type = vector, .dimension = Dimension::angle, .when = "stl",
+     .doc = "Rotates the scaled mesh about the fixed axes x, then y, then z, right-handed: [90 deg, 0, 0] for a drawing with y "
+            "upwards; none by default."},
+    {.path = "walls.<name>.shift", .type = vector, .dimension = length, .when = "stl",
+     .doc = "Added to the scaled and rotated mesh; none by default."},
     {.path = "walls.<name>.plane", .doc = "Infinite plane; the rock is on the side of the normal."},
     {.path = "walls.<name>.plane.point", .type = vector, .dimension = length, .required = true, .doc = "A point of the plane."},
     {.path = "walls.<name>.plane.normal", .type = vector, .required = true, .doc = "Normal of the plane, of any length except 0."},
