@@ -137,7 +137,8 @@ const std::vector<Key> rock_keys = {
      .doc = "Feed opening of the crusher."},
     {.path = "rocks.sizes.vendor.min", .type = quantity, .dimension = length, .required = true, .range = positive,
      .doc = "Smallest rock; it must be smaller than 0.1 of the opening."},
-    {.path = "rocks.sizes.sieves", .type = file, .doc = "CSV with the header size_mm,passing_percent."},
+    {.path = "rocks.sizes.sieves", .type = file,
+     .doc = "CSV with the header size_mm,passing_percent, in either order of the sieves; one row has 0, one 100 percent."},
     {.path = "rocks.samples", .type = integer, .fallback = "24", .range = {.low = 1, .high = 100000},
      .doc = "Number of rocks in the library, each of them a shape at a size."},
     {.path = "rocks.fill", .required = true, .one_of = "ratio|sizes", .doc = "Particles that make up a rock."},
@@ -267,8 +268,8 @@ const std::vector<Key> run_keys = {
      .doc = "Number of cells of the unrolled map over the height."},
     {.path = "output.liners.sectors", .type = integer, .fallback = "72", .range = {.low = 1, .high = 3600},
      .doc = "Number of cells of the unrolled map over the azimuth."},
-    {.path = "output.liners.wear_coefficient", .type = quantity, .range = positive,
-     .doc = "Archard coefficient: worn volume / (normal force x sliding distance), in 1/Pa; adds the wear depth to the maps by "
+    {.path = "output.liners.wear_coefficient", .type = quantity, .dimension = compliance, .range = positive,
+     .doc = "Archard coefficient: worn volume / (normal force x sliding distance); adds the wear depth to the maps by "
             "triangle."},
 };
 // clang-format on
