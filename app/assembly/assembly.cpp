@@ -122,6 +122,8 @@ Assembly assemble(const Case& input) {
     Setup& setup = out.setup;
     setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
   }
+  out.expected = expected_counts(out.setup, out.step, input.time.duration);
+  for (std::string& note : check_counts(out.expected, out.setup)) out.notes.push_back(std::move(note));
   return out;
 }
 

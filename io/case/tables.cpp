@@ -3,6 +3,7 @@
 #include "io/case/parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace gyro {
@@ -57,6 +58,8 @@ std::vector<LinerRow> read_liners(const fs::path& file, CaseProblems& problems) 
   std::vector<LinerRow> liners;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const LinerRow row{table.rows[k][0], table.rows[k][1], table.rows[k][2]};
+    checker.expect(std::max({std::abs(row.z), row.mantle_radius, row.concave_radius}) <= longest_length, k,
+                   "a length is more than 1 km; the profile is in metres");
     checker.expect(row.mantle_radius > 0, k, "the mantle's radius is not positive; it must be > 0");
     checker.expect(row.concave_radius > row.mantle_radius, k,
                    "there is no gap; the concave radius must be larger than the mantle radius");
@@ -82,6 +85,7 @@ std::vector<PassingPoint> read_sieves(const fs::path& file, CaseProblems& proble
   const std::size_t n = table.rows.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double size = table.rows[k][0], percent = table.rows[k][1];
+    checker.expect(size <= 1e3 * longest_length, k, "the size is more than 1 km; sieves are in mm");
     checker.expect(size > 0, k, "the size is not positive; it must be > 0");
     checker.expect(k == 0 || percent >= table.rows[k - 1][1], k, "passing falls; each row must be >= the one before");
     checker.expect(k > 0 || percent == 0, k,
