@@ -12,9 +12,9 @@
 namespace gyro {
 namespace {
 
-constexpr double most_particles = 2e9;   // ids have 32 bits, indices a sign besides
+constexpr double max_particles = 2e9;    // ids have 32 bits, indices a sign besides
 constexpr double many_particles = 1e7;   // [-]; a run of them takes weeks on a CPU
-constexpr double most_steps = 1e15;      // counted exactly by 64 bits and by doubles
+constexpr double max_steps = 1e15;       // counted exactly by 64 bits and by doubles
 constexpr double share_of_memory = 0.9;  // the rest is for walls, output and the system
 constexpr double bytes_per_particle = 700, bytes_per_bond = 70;
 
@@ -118,11 +118,11 @@ std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup&
   const std::string advice =
       "; raise the smallest size of the rock (check its unit), feed less, or use fewer particles a rock";
   const std::string found = counted(counts) + sizes_of(setup.library);
-  if (!(counts.steps <= most_steps))
+  if (!(counts.steps <= max_steps))
     throw BadKey("time.duration",
                  "the run has " + in_words(counts.steps) + " steps, more than 1e15; shorten it (check its unit)");
-  if (!(counts.particles <= most_particles)) throw BadKey(key, found + ": more than 2e9 particles" + advice);
-  if (!(counts.particles + counts.fed_particles <= most_particles))
+  if (!(counts.particles <= max_particles)) throw BadKey(key, found + ": more than 2e9 particles" + advice);
+  if (!(counts.particles + counts.fed_particles <= max_particles))
     throw BadKey(key, found + ", and the feed adds more than 2e9 particles over the run" + advice);
   const double memory = available_memory();
   if (expected_bytes(counts.particles, counts.bonds) > share_of_memory * memory)

@@ -54,8 +54,8 @@ Trial try_out(const Case& input, Setup setup) {
 
 /// Takes away rock that would take minutes to place. @return share of the particles at the start that are left
 double thin_out(Setup& setup, const ExpectedCounts& expected) {
-  constexpr double most_rocks = 2e4, most_particles = 1e5;
-  const double share = std::min({1.0, most_rocks / expected.rocks, most_particles / expected.particles});
+  constexpr double max_rocks = 2e4, max_particles = 1e5;
+  const double share = std::min({1.0, max_rocks / expected.rocks, max_particles / expected.particles});
   if (!(share < 1) || !setup.feed) return 1;
   setup.feed->initial *= share;
   setup.feed->fixed.resize(
