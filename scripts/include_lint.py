@@ -6,7 +6,7 @@
     base <- math <- exec <- dem                              the executor knows a machine and nothing of what it computes
     base .. laws <- geometry rocks fragments walls feed      preparation; the engine uses nothing of it
     base .. scene <- mbd                                     the drivetrain knows windows, not the particle engine
-    base .. surfaces, preparation, mbd <- io                 files; in it hdf5 <- run, and mesh, stand alone
+    base .. surfaces, preparation, mbd <- io                 files; in it files and hdf5 <- run, and files <- mesh, stand alone
     everything <- app                                        in it simulation <- verify, bench <- commands
 
 Usage: include_lint.py [ROOT]

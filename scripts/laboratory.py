@@ -28,6 +28,9 @@ At the end the cases run once more with the result, without scaling, for the fir
 stiff as steel: plates of real steel would sink into such rock, and because displacements are measured at the plates, the
 rock would seem a third softer.
 
+While runs go on, standard error says how many are done. Exit codes: 2 for arguments that cannot be used, 1 for a search that
+found nothing or a run that failed.
+
 Needs Python 3 and gyrosim, which is looked for in build/release and, when installed, in bin; --gyrosim names another.
 """
 import argparse
@@ -37,6 +40,8 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -53,24 +58,75 @@ PLATES = "materials.steel.shear_modulus"
 DURATION = "time.duration"
 
 
+def number_above_zero(text):
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not (number > 0 and math.isfinite(number)):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number above 0")
+    return number
+
+
+def count(text):
+    if not (text.isascii() and text.isdigit() and 0 < int(text) <= 10000):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number between 1 and 10000")
+    return int(text)
+
+
+def setting(text):
+    key, equals, value = text.partition("=")
+    if not (key and equals and value):
+        raise argparse.ArgumentTypeError(f"'{text}' sets nothing; write key.path=value")
+    return text
+
+
+def case_file(text):
+    if not Path(text).is_file():
+        raise argparse.ArgumentTypeError(f"there is no case file '{text}'")
+    return Path(text)
+
+
 def parse_arguments():
     parser = argparse.ArgumentParser(description="Laboratory tests of bonded rock.")
     parser.add_argument("--gyrosim", type=Path, default=next(filter(Path.exists, PROGRAMS), PROGRAMS[0]))
     commands = parser.add_subparsers(dest="command", required=True)
     measure = commands.add_parser("measure", help="figures of laboratory cases over seeds")
-    measure.add_argument("cases", type=Path, nargs="+", metavar="CASE")
+    measure.add_argument("cases", type=case_file, nargs="+", metavar="CASE")
     fit = commands.add_parser("fit", help="bond parameters from laboratory values")
-    fit.add_argument("--ucs", type=float, help="uniaxial compressive strength [MPa]")
-    fit.add_argument("--bts", type=float, help="tensile strength of the Brazilian test [MPa]")
-    fit.add_argument("--lump", type=float, help="strength of irregular lumps, 0.9 F/d^2 [MPa]")
-    fit.add_argument("--modulus", type=float, help="modulus of the uniaxial test [GPa]")
-    fit.add_argument("--rounds", type=int, default=5, help="rounds of the search, at most")
-    fit.add_argument("--tolerance", type=float, default=0.1, help="relative difference at which the search ends; seeds scatter by 15 %%")
+    fit.add_argument("--ucs", type=number_above_zero, help="uniaxial compressive strength [MPa]")
+    fit.add_argument("--bts", type=number_above_zero, help="tensile strength of the Brazilian test [MPa]")
+    fit.add_argument("--lump", type=number_above_zero, help="strength of irregular lumps, 0.9 F/d^2 [MPa]")
+    fit.add_argument("--modulus", type=number_above_zero, help="modulus of the uniaxial test [GPa]")
+    fit.add_argument("--rounds", type=count, default=5, help="rounds of the search, at most")
+    fit.add_argument("--tolerance", type=number_above_zero, default=0.1, help="relative difference at which the search ends; seeds scatter by 15 %%")
     for command, seeds in ((measure, 5), (fit, 4)):
-        command.add_argument("--seeds", type=int, default=seeds)
-        command.add_argument("--jobs", type=int, default=2, help="runs at the same time, each on one thread")
-        command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="as for gyrosim run")
-    return parser.parse_args()
+        command.add_argument("--seeds", type=count, default=seeds)
+        command.add_argument("--jobs", type=count, default=2, help="runs at the same time, each on one thread")
+        command.add_argument("--set", type=setting, action="append", default=[], metavar="KEY=VALUE", help="as for gyrosim run")
+    arguments = parser.parse_args()
+    if not arguments.gyrosim.is_file():
+        parser.error(f"there is no program {arguments.gyrosim}; build it with scripts/build.sh, or name it with --gyrosim")
+    if arguments.command == "fit" and not (arguments.ucs or arguments.bts or arguments.lump):
+        fit.error("no strength is given; use --ucs, --bts or --lump, with or without --modulus")
+    return arguments
+
+
+class Progress:
+    """How many runs of a set are done, on standard error: one line that changes on a terminal, otherwise a line a run."""
+
+    def __init__(self, total):
+        self.total, self.done, self.begin, self.lock = total, 0, time.monotonic(), threading.Lock()
+        self.terminal = sys.stderr.isatty()
+
+    def one_more(self, _):
+        with self.lock:
+            self.done += 1
+            seconds = time.monotonic() - self.begin
+            left = seconds / self.done * (self.total - self.done)
+            line = f"{self.done} of {self.total} runs, {seconds:.0f} s, about {left:.0f} s left"
+            end = "\n" if not self.terminal or self.done == self.total else ""
+            print(f"\r{line:60}" if self.terminal else line, end=end, file=sys.stderr, flush=True)
 
 
 def run(arguments, case, seed, settings):
@@ -97,6 +153,10 @@ def measure(arguments, cases, settings, max_seeds=None, durations=None):
         own = {case: settings + ([f"time.duration={durations[case]:.4g}"] if durations else []) for case in cases}
         runs = {case: [pool.submit(run, arguments, case, seed, own[case]) for seed in range(1, seeds + 1)]
                 for case in cases}
+        progress = Progress(seeds * len(runs))
+        for of_case in runs.values():
+            for one in of_case:
+                one.add_done_callback(progress.one_more)
         return {case: [r.result() for r in of_case] for case, of_case in runs.items()}
 
 
@@ -177,8 +237,6 @@ def mean_of(runs, case, figure):
 
 def fit(arguments):
     wanted = wanted_strengths(arguments)
-    if not wanted:
-        sys.exit("laboratory.py fit: no strength is given; use --ucs, --bts or --lump, with or without --modulus")
     uniaxial = CASES / "uniaxial.yaml"
     cases = {case for case, _, _ in wanted} | ({uniaxial} if arguments.modulus else set())
     numbers = numbers_of(arguments, wanted[0][0])

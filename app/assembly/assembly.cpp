@@ -2,6 +2,7 @@
 #include "app/assembly/assembly.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/mesh_checks.hpp"
 #include "app/assembly/rocks.hpp"
 #include "io/rocks/library_cache.hpp"
 
@@ -70,6 +71,8 @@ void set_rock(Assembly& out, const Case& input) {
   }
   setup.start = blaming("particles", [&] { return start_state(input); });
   setup.bond_strength = bond_strength(input);
+  const double rock = removal_depth(setup.library, setup.start) / 2;
+  for (std::string& note : size_notes(input, setup.scene.walls, rock)) out.notes.push_back(std::move(note));
 }
 
 /// Where rock leaves. Without a concave that is closed around the axis nothing tells the opening from the rim.
@@ -137,6 +140,8 @@ Assembly assemble(const Case& input) {
     Setup& setup = out.setup;
     setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
   }
+  out.expected = expected_counts(out.setup, out.step, input.time.duration);
+  for (std::string& note : check_counts(out.expected, out.setup)) out.notes.push_back(std::move(note));
   return out;
 }
 

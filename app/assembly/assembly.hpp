@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/assembly/expected_counts.hpp"
 #include "app/assembly/walls.hpp"
 #include "app/simulation/simulation.hpp"
 #include "app/simulation/time_step.hpp"
@@ -19,11 +20,13 @@ struct Assembly {
   StepChoice step;
   std::optional<Liners> liners;  ///< of a crusher given by its profile
   std::vector<WallPicture> pictures;
+  ExpectedCounts expected;
   std::vector<std::string> notes;  ///< repairs of input files and other remarks, for the log
 };
 
 /// Makes the setup of a case.
-/// @throws BadKey for files that cannot be used, a library that cannot be made, a step above its limit
+/// @throws BadKey for files that cannot be used, a library that cannot be made, a step above its limit, more
+/// rock or steps than can be run
 Assembly assemble(const Case& input);
 
 /// The simulation of an assembled case; opens its drive.

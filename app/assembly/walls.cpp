@@ -2,6 +2,7 @@
 #include "app/assembly/walls.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/mesh_checks.hpp"
 #include "core/walls/radial_sections.hpp"
 #include "io/mesh/mesh_file.hpp"
 
@@ -21,6 +22,10 @@ TriangleMesh plane_picture(const PlaneShape& plane, double half) {
   return {{plane.point - a - b, plane.point + a - b, plane.point + a + b, plane.point - a + b}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
+bool gyrates(const Wall& wall) {
+  return std::holds_alternative<GyrationMotion>(wall.motion);
+}
+
 void add_wall(CaseWalls& out, const CaseWall& wall) {
   Wall made;
   made.name = wall.name;
@@ -33,6 +38,11 @@ void add_wall(CaseWalls& out, const CaseWall& wall) {
   } else if (const auto* file = std::get_if<MeshFile>(&wall.shape)) {
     RepairedMesh read = read_mesh(file->path.string());
     for (const std::string& note : read.notes) out.notes.push_back("wall " + wall.name + ": " + note);
+    read.mesh = framed(std::move(read.mesh), file->frame);
+    check_extent(read.mesh, *file);
+    out.notes.push_back(name_of(wall, *file) + to_string(extents_of(read.mesh)));
+    if (wall.name == "concave" || gyrates(made))
+      for (std::string& note : frame_notes(wall, *file, read.mesh)) out.doubts.push_back(std::move(note));
     out.pictures.push_back({read.mesh, number});
     made.shape = std::move(read.mesh);
   } else {
@@ -43,10 +53,6 @@ void add_wall(CaseWalls& out, const CaseWall& wall) {
     out.pictures.push_back({revolve(shape, picture_sectors), number});
   }
   out.walls.push_back(std::move(made));
-}
-
-bool gyrates(const Wall& wall) {
-  return std::holds_alternative<GyrationMotion>(wall.motion);
 }
 
 /// Lifts gyrating meshes so that the closed side setting is met.
@@ -67,6 +73,21 @@ void set_meshes(CaseWalls& out, double closed_side_setting) {
   std::snprintf(note, sizeof note, "mantle lifted by %.2f mm: closed side setting %.2f mm, open %.2f mm", lift * 1e3,
                 setting.closed * 1e3, setting.open * 1e3);
   out.notes.push_back(note);
+  GyrationMotion lifted = liners->motion;
+  lifted.lift = lift;
+  for (std::string& doubt : setting_notes(setting, lifted, extents_of(liners->concave).high.z))
+    out.doubts.push_back(std::move(doubt));
+}
+
+/// The same; a refusal says what is doubtful about the meshes.
+void set_doubtful_meshes(CaseWalls& out, double closed_side_setting) {
+  try {
+    set_meshes(out, closed_side_setting);
+  } catch (const BadInput& problem) {
+    std::string message = problem.what();
+    for (const std::string& doubt : out.doubts) message += " (" + doubt + ")";
+    throw BadInput(message);
+  }
 }
 
 ConcaveOutline outline_of(const TriangleMesh& mesh) {
@@ -116,7 +137,8 @@ CaseWalls make_walls(const Case& input) {
   if (input.crusher && !input.crusher->liners.empty())
     out.liners = blaming("crusher", [&] { return liners_of(*input.crusher); });
   for (const CaseWall& wall : input.walls) blaming("walls." + wall.name, [&] { add_wall(out, wall); });
-  if (input.crusher) blaming("crusher", [&] { set_meshes(out, input.crusher->closed_side_setting); });
+  if (input.crusher) blaming("crusher", [&] { set_doubtful_meshes(out, input.crusher->closed_side_setting); });
+  out.notes.insert(out.notes.end(), out.doubts.begin(), out.doubts.end());
   return out;
 }
 

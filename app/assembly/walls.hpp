@@ -24,7 +24,8 @@ struct CaseWalls {
   std::vector<Wall> walls;
   std::optional<Liners> liners;       ///< of a crusher given by its profile
   std::vector<WallPicture> pictures;  ///< one per wall
-  std::vector<std::string> notes;     ///< repairs of mesh files, and where the mantle was set, for the log
+  std::vector<std::string> notes;     ///< extents and repairs of mesh files, and where the mantle was set, for the log
+  std::vector<std::string> doubts;    ///< the notes that say that a mesh is likely in another unit, frame or place
 };
 
 /// Reads mesh files, makes liners from a profile and lifts a mantle of meshes to the closed side setting.

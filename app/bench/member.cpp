@@ -6,13 +6,14 @@
 #include "app/bench/size.hpp"
 #include "app/simulation/device.hpp"
 #include "core/base/errors.hpp"
+#include "io/files/read_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace gyro::bench {
 namespace {
@@ -140,7 +141,8 @@ std::string fingerprint(const AccuracyScene& scene, const std::filesystem::path&
   if (input.crusher) files.push_back(input.crusher->profile);
   std::uint64_t hash = 14695981039346656037u;
   for (const std::filesystem::path& file : files) {
-    std::ifstream in(file);
+    if (file.empty()) continue;
+    std::istringstream in(read_file(file));
     for (std::string line; std::getline(in, line);) {
       line.erase(std::min(line.find('#'), line.size()));
       while (!line.empty() && line.back() == ' ') line.pop_back();

@@ -3,11 +3,12 @@
 
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
+#include "io/files/read_file.hpp"
 #include "io/run/replace_file.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
+#include <filesystem>
 #include <limits>
 
 namespace gyro::bench {
@@ -17,9 +18,8 @@ using nlohmann::json;
 
 /// The whole file; an empty object where there is none.
 json read_all(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) return json::object();
-  const json all = json::parse(in, nullptr, false);
+  if (!std::filesystem::exists(file)) return json::object();
+  const json all = json::parse(read_file(file), nullptr, false);
   if (all.is_discarded()) throw BadInput(file.string() + " is not JSON; make it with --make-reference");
   return all;
 }

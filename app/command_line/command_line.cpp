@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -24,6 +25,16 @@ std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& t
   };
 }
 
+/// Why a file system takes no such name; empty if it does. Names of files are added to a directory's.
+std::string possible_name(const std::string& name) {
+  constexpr std::size_t longest_part = 255, longest = 4000;  // bytes, of Linux; a path has 4096
+  if (name.size() > longest) return "the name has " + std::to_string(name.size()) + " bytes; give at most 4000";
+  for (const auto& part : std::filesystem::path(name))
+    if (part.native().size() > longest_part)
+      return "a part of the name has " + std::to_string(part.native().size()) + " bytes; give at most 255";
+  return {};
+}
+
 void add_case(CLI::App& command, CaseArguments& arguments) {
   command.add_option("case", arguments.file, "case file")->required();
   command.add_option("--set", arguments.set, "override a key: key.path=value")->allow_extra_args(false);
@@ -31,7 +42,7 @@ void add_case(CLI::App& command, CaseArguments& arguments) {
 
 void add_run(CLI::App& command, RunArguments& a) {
   add_case(command, a.input);
-  command.add_option("--out", a.out, "directory of the results; default runs/<case>-NNN");
+  command.add_option("--out", a.out, "directory of the results; default runs/<case>-NNN")->check(possible_name);
   command.add_option("--device", a.device, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->envname("GYROSIM_DEVICE");
@@ -98,13 +109,13 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
 
   c = app.add_subcommand("library", "build the meta-particle library of a case");
   add_case(*c, a.library);
-  c->add_option("--out", a.library_out, "directory");
+  c->add_option("--out", a.library_out, "directory")->check(possible_name);
   c->add_flag("--json", a.library.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return library_command(a.library, a.library_out); }; });
 
   c = app.add_subcommand("liners", "measure the chamber of profile or meshes, write the set liners as STL");
   add_case(*c, a.liners);
-  c->add_option("--out", a.liners_out, "directory")->required();
+  c->add_option("--out", a.liners_out, "directory")->required()->check(possible_name);
   c->add_flag("--json", a.liners.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return liners_command(a.liners, a.liners_out); }; });
 }
@@ -118,13 +129,13 @@ void add_commands_of_runs(CLI::App& app, Arguments& a) {
   c = forms->add_subcommand("fmu", "the drivetrain as an FMI 2.0 co-simulation FMU");
   c->add_option("CASE", a.fmu.file, "case file, or directory of a run")->required();
   c->add_option("--set", a.fmu.set, "override a key: key.path=value")->allow_extra_args(false);
-  c->add_option("--out", a.fmu_out, "file; default CASE.fmu in the working directory");
+  c->add_option("--out", a.fmu_out, "file; default CASE.fmu in the working directory")->check(possible_name);
   c->callback([&a] { a.chosen = [&a] { return export_fmu_command(a.fmu, a.fmu_out); }; });
   c = forms->add_subcommand("csv", "a table of a run as CSV");
   c->add_option("RUNDIR", a.exported.run, "directory of a run")->required();
   c->add_option("--table", a.exported.table,
                 "series, ledger, breakage, product, holdup or performance; default series");
-  c->add_option("--out", a.exported.out, "file; default standard output");
+  c->add_option("--out", a.exported.out, "file; default standard output")->check(possible_name);
   c->callback([&a] { a.chosen = [&a] { return export_command(a.exported); }; });
 }
 

@@ -21,34 +21,17 @@ struct Estimate {
   StepChoice step;
   std::int64_t particles = 0, bonds = 0, particles_at_end = 0, steps = 0;
   double bytes = 0, seconds = 0;
+  bool placed = true;  ///< otherwise the counts follow from masses, and a part of the rock was tried
 };
-
-/// Mass and particles of the mean rock that the feed draws from a library.
-struct MeanRock {
-  double mass = 0, particles = 0;
-};
-MeanRock mean_rock(const RockLibrary& library, double density) {
-  MeanRock mean;
-  double weights = 0;
-  for (const RockTemplate& rock : library.rocks) {
-    const double mass = density * rock.solid_volume, weight = 1 / mass;
-    weights += weight;
-    mean.mass += weight * mass;
-    mean.particles += weight * static_cast<double>(rock.centres.size());
-  }
-  if (weights > 0) mean = {mean.mass / weights, mean.particles / weights};
-  return mean;
-}
 
 /// Measurements of a run of some windows from t = 0.
 struct Trial {
   Counts start;
   double seconds_per_step;  ///< median: the first steps build neighbour lists, and others may use the machine
 };
-Trial try_out(const Case& input, const Assembly& assembly) {
+Trial try_out(const Case& input, Setup setup) {
   constexpr double enough_work = 1e6;  // particle steps in a trial window, some tenths of a second
   constexpr double enough_time = 1.5;  // [s]
-  Setup setup = assembly.setup;
   setup.inspection_interval = 0;
   auto dem = make_dem(choose_device("cpu", 0), setup.scene, input.numerics.precision);
   const std::unique_ptr<Simulation> simulation = make_simulation(input, std::move(setup), std::move(dem));
@@ -69,26 +52,38 @@ Trial try_out(const Case& input, const Assembly& assembly) {
   return {at_start, seconds[seconds.size() / 2]};
 }
 
+/// Takes away rock that would take minutes to place. @return share of the particles at the start that are left
+double thin_out(Setup& setup, const ExpectedCounts& expected) {
+  constexpr double max_rocks = 2e4, max_particles = 1e5;
+  const double share = std::min({1.0, max_rocks / expected.rocks, max_particles / expected.particles});
+  if (!(share < 1) || !setup.feed) return 1;
+  setup.feed->initial *= share;
+  setup.feed->fixed.resize(
+      std::max<std::size_t>(setup.feed->fixed.empty() ? 0 : 1,
+                            static_cast<std::size_t>(share * static_cast<double>(setup.feed->fixed.size()))));
+  return share;
+}
+
 Estimate estimate(const Case& input, const Assembly& assembly) {
   Estimate e;
   e.step = assembly.step;
-  e.steps = std::llround(input.time.duration / e.step.dt);
-  const Trial trial = try_out(input, assembly);
-  e.particles = trial.start.particles;
-  e.bonds = trial.start.bonds_intact;
-  double fed_later = 0;
-  if (assembly.setup.feed) {
-    const FeedPlan& plan = *assembly.setup.feed;
-    const Scene& scene = assembly.setup.scene;
-    const double density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
-    const MeanRock mean = mean_rock(assembly.setup.library, density);
-    fed_later = (plan.batch + plan.rate * std::max(0.0, input.time.duration - plan.start)) / mean.mass * mean.particles;
-  }
-  e.particles_at_end = e.particles + std::llround(fed_later);
-  e.bytes = 700.0 * static_cast<double>(e.particles_at_end) + 70.0 * static_cast<double>(e.bonds);
+  const ExpectedCounts& expected = assembly.expected;
+  e.steps = std::llround(expected.steps);
+  Setup setup = assembly.setup;
+  e.placed = thin_out(setup, expected) == 1;
+  const Trial trial = try_out(input, std::move(setup));
+  const double batch = assembly.setup.feed ? assembly.setup.feed->batch : 0;
+  // Counts of placed rock are exact; a batch comes later.
+  e.particles = e.placed ? trial.start.particles : std::llround(expected.particles);
+  e.bonds = e.placed ? trial.start.bonds_intact : std::llround(expected.bonds);
+  const double tried = static_cast<double>(std::max<std::int64_t>(trial.start.particles, 1));
+  const double all = std::max(expected.particles, double(e.particles)) + expected.fed_particles;
+  e.particles_at_end = batch > 0 || !e.placed ? std::llround(all) : e.particles + std::llround(expected.fed_particles);
+  e.bytes = expected_bytes(double(e.particles_at_end), double(e.bonds));
   const double growth =
       e.particles > 0 ? 0.5 * (1 + static_cast<double>(e.particles_at_end) / static_cast<double>(e.particles)) : 1;
-  e.seconds = static_cast<double>(e.steps) * growth * trial.seconds_per_step;
+  const double whole = e.placed ? 1 : double(e.particles) / tried;
+  e.seconds = expected.steps * growth * whole * trial.seconds_per_step;
   return e;
 }
 
@@ -101,6 +96,7 @@ void add_figures(nlohmann::json& out, const Estimate& e) {
   out["steps"] = e.steps;
   out["bytes"] = e.bytes;
   out["estimated_seconds"] = e.seconds;
+  out["placed"] = e.placed;
 }
 
 void print(const Case& input, const Assembly& assembly, const Estimate& e) {
@@ -113,6 +109,8 @@ void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   std::printf("particles      %s at the start, about %s by the end if all the feed finds room\n",
               format_count(double(e.particles)).c_str(), format_count(double(e.particles_at_end)).c_str());
   std::printf("bonds          %s at the start\n", format_count(double(e.bonds)).c_str());
+  if (!e.placed)
+    std::printf("estimate       the counts follow from masses; whether all rock finds room shows in a run\n");
   if (const std::vector<RockTemplate>& rocks = assembly.setup.library.rocks; !rocks.empty())
     std::printf("library        %zu rocks, %.3g to %.3g mm\n", rocks.size(), rocks.front().diameter * 1e3,
                 rocks.back().diameter * 1e3);

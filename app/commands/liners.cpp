@@ -77,7 +77,7 @@ void report_profile(const CaseCrusher& crusher, const Liners& liners, const Case
     std::printf("nip angle            %5.1f deg at z = %.3g m\n", report.nip_angle[k] / degree, crusher.liners[k].z);
 }
 
-Json json_of(const MeshReport& report, double lift) {
+Json json_of(const MeshReport& report, double lift, const std::vector<std::string>& notes) {
   Json j{{"closed_side_setting", report.closed_side_setting},
          {"open_side_setting", report.open_side_setting},
          {"throw", report.throw_at_discharge},
@@ -89,6 +89,7 @@ Json json_of(const MeshReport& report, double lift) {
          {"capacity_tph", report.capacity * tph},
          {"choke_height", report.choke_height},
          {"bridged", report.bridged},
+         {"notes", notes},
          {"nip_angle", Json::array()}};
   for (const SideOfMeshes& side : report.sides)
     j["sides"].push_back({{"azimuth", side.azimuth}, {"closed", side.closed}, {"open", side.open}});
@@ -124,10 +125,12 @@ void report_meshes(const Case& input, const CaseArguments& arguments, const std:
     return blaming("crusher", [&] { return measure(*liners, eccentric_speed(input), norm(input.gravity)); });
   });
   write_liners(*liners, out);
-  if (arguments.json)
-    std::cout << json_of(report, liners->motion.lift).dump(2) << "\n";
-  else
+  if (arguments.json) {
+    std::cout << json_of(report, liners->motion.lift, walls.notes).dump(2) << "\n";
+  } else {
     print(report, liners->motion.lift);
+    for (const std::string& note : walls.notes) std::printf("note                 %s\n", note.c_str());
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "app/output/tables/reference.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
+#include "io/files/read_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -40,10 +41,9 @@ int init_command(const std::string& name) {
   for (const auto& [known, file] : templates) {
     if (name != known) continue;
     const std::filesystem::path path = case_folder() / file;
-    std::ifstream in(path);
-    if (!in)
+    if (!std::filesystem::exists(path))
       throw OutputError(path.string() + ": cannot be read; the templates belong to the checkout or installation");
-    std::cout << in.rdbuf();
+    std::cout << read_file(path);
     return exit_done;
   }
   throw BadInput("--template " + name + " is unknown; use quickstart, primary or compression");

@@ -3,10 +3,9 @@
 
 #include "app/assembly/bad_key.hpp"
 #include "app/version.hpp"
+#include "io/files/read_file.hpp"
 #include "io/run/state_file.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace gyro {
@@ -50,8 +49,8 @@ SavedState read_checkpoint(const std::filesystem::path& directory, const Case& i
 
 void require_same_case(const std::filesystem::path& directory, const Case& input) {
   const std::filesystem::path file = directory / "case.yaml";
-  std::ifstream stream(file);
-  const std::string resolved{std::istreambuf_iterator<char>(stream), {}};
+  if (!std::filesystem::exists(file)) return;
+  const std::string resolved = read_file(file);
   if (!resolved.empty()) require_same(input, resolved, file);
 }
 

@@ -147,6 +147,9 @@ StepChoice choose_step(const Setup& setup, const StepRequest& request) {
     wanted = *request.step;
     check_step(wanted, stable, request.safety, sweep, scene.limits.speed_ratio);
   }
+  if (!(request.window / wanted <= 1e9))
+    throw BadInput("a coupling interval of " + std::to_string(request.window) + " s has more than 1e9 steps of " +
+                   std::to_string(1e6 * wanted) + " us; shorten coupling.interval");
   choice.steps_per_window = hold * static_cast<int>(std::ceil(request.window / wanted / hold * (1 - 1e-9)));
   choice.dt = request.window / choice.steps_per_window;
   return choice;

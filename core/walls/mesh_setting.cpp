@@ -44,6 +44,22 @@ void drop_repeated(std::vector<Vec3d>& points) {
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
 }
 
+/// Drops what lies more than 0.08 of the zone's height behind the surface that is nearest to the other liner at the
+/// same height: shell and rings of a liner drawn as a thick body. None of them is nearest to the other liner.
+/// @param sign  -1 if the surface wanted is the innermost one, 1 for the outermost
+void drop_behind(std::vector<Vec3d>& points, double low, double height, double sign) {
+  constexpr int levels = 20;
+  const double behind = 0.08 * height;
+  std::vector<double> surface(levels, -1e300);  // largest sign x radius
+  const auto level = [&](const Vec3d& p) -> double& {
+    return surface[static_cast<std::size_t>(
+        std::clamp(static_cast<int>((p.z - low) / height * levels), 0, levels - 1))];
+  };
+  const auto depth = [&](const Vec3d& p) { return sign * std::hypot(p.x, p.y); };
+  for (const Vec3d& p : points) level(p) = std::max(level(p), depth(p));
+  std::erase_if(points, [&](const Vec3d& p) { return depth(p) < level(p) - behind; });
+}
+
 }  // namespace
 
 MeshGap::MeshGap(const TriangleMesh& mantle, const TriangleMesh& concave, const GyrationMotion& motion)
@@ -51,10 +67,10 @@ MeshGap::MeshGap(const TriangleMesh& mantle, const TriangleMesh& concave, const 
   for (const Vec3d& v : concave.vertices) height_ = std::max(height_, v.z);
   if (!(height_ > 0)) throw BadInput("no part of the concave is above the discharge plane z = 0; shift the mesh");
   for (int k = 0; k < strip_count; ++k) strips_.push_back({2 * std::numbers::pi * k / strip_count, {}, {}});
-  add_points(concave, 0, 0.1 * height_, &Strip::concave);
+  add_points(concave, 0, 0.1 * height_, &Strip::concave, Side::inner);
   double lowest = 1e300;
   for (const Vec3d& v : mantle.vertices) lowest = std::min(lowest, v.z);
-  add_points(mantle, lowest, lowest + 0.1 * height_, &Strip::mantle);
+  add_points(mantle, lowest, lowest + 0.1 * height_, &Strip::mantle, Side::outer);
   std::erase_if(strips_, [](const Strip& strip) { return strip.concave.empty(); });
   if (strips_.empty())
     throw BadInput("the concave is open where the setting is measured; it must be a closed ring there");
@@ -73,7 +89,8 @@ double MeshGap::widest_gap() const {
   return widest;
 }
 
-void MeshGap::add_points(const TriangleMesh& mesh, double low, double high, std::vector<Vec3d> Strip::*points) {
+void MeshGap::add_points(const TriangleMesh& mesh, double low, double high, std::vector<Vec3d> Strip::*points,
+                         Side side) {
   const auto add = [&](const Vec3d& p) {
     if (p.z < low || p.z > high) return;
     const double strips = azimuth_of(p) / (2 * std::numbers::pi) * strip_count;
@@ -87,7 +104,10 @@ void MeshGap::add_points(const TriangleMesh& mesh, double low, double high, std:
     if (std::max({a.z, b.z, c.z}) < low || std::min({a.z, b.z, c.z}) > high) continue;
     raster(a, b, c, spacing * height_, add);
   }
-  for (Strip& strip : strips_) drop_repeated(strip.*points);
+  for (Strip& strip : strips_) {
+    drop_behind(strip.*points, low, high - low, side == Side::inner ? -1 : 1);
+    drop_repeated(strip.*points);
+  }
 }
 
 /// Negative where the mantle's points lie outside the concave: farther from the machine's axis than its surface.

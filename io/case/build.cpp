@@ -173,6 +173,14 @@ CaseCrusher crusher_of(const Setting& section, const CaseTables& tables) {
   return crusher;
 }
 
+MeshFrame frame_of(const Setting& wall) {
+  MeshFrame frame;
+  frame.scale = number_if(wall, "scale").value_or(1);
+  if (const Setting* rotate = wall.find("rotate")) frame.rotate = vector_of(*rotate);
+  if (const Setting* shift = wall.find("shift")) frame.shift = vector_of(*shift);
+  return frame;
+}
+
 CaseWall wall_of(const Setting& section, const Case& made) {
   CaseWall wall;
   wall.name = section.name;
@@ -180,7 +188,7 @@ CaseWall wall_of(const Setting& section, const Case& made) {
   if (const Setting* plane = section.find("plane"))
     wall.shape = PlaneShape{vector_of(*plane->find("point")), direction_of(*plane->find("normal"))};
   else if (const Setting* mesh = section.find("stl"))
-    wall.shape = MeshFile{mesh->texts.at(0)};
+    wall.shape = MeshFile{mesh->texts.at(0), frame_of(section)};
   else
     wall.shape = ProfileLiner{wall.name == "mantle"};
 

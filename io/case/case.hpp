@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/mesh_frame.hpp"
 #include "core/rocks/bonds.hpp"
 #include "core/rocks/library.hpp"
 #include "core/rocks/size_distribution.hpp"
@@ -71,9 +72,10 @@ struct CaseFeed {
   Index above = none;                 ///< wall above which rocks appear, in Case::walls
 };
 
-/// Shape from an STL or OBJ file, in metres, absolute path.
+/// Shape from an STL or OBJ file, absolute path.
 struct MeshFile {
   std::filesystem::path path;
+  MeshFrame frame = {};
 };
 /// Shape of revolution from `crusher.profile`.
 struct ProfileLiner {

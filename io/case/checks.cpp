@@ -30,8 +30,12 @@ bool expect_name(const Setting* section, const std::string& name, const std::str
 
 /// Pairs that can touch must have surface properties; each pair is given once.
 void check_contacts(const Setting& root, CaseProblems& log) {
+  constexpr std::size_t max_materials = 1000;  // their pairs are a square table
   const Setting* materials = root.find("materials");
   const Setting* contacts = root.find("contacts");
+  if (materials != nullptr && materials->children.size() > max_materials)
+    return log.add(materials->mark,
+                   "there are " + std::to_string(materials->children.size()) + " materials; give at most 1000");
   if (materials == nullptr || (contacts == nullptr && !root.lacks("contacts"))) return;
   if (materials->find("rock") == nullptr)
     log.add(materials->mark, "there is no material \"rock\", of which all particles are made; add one to materials");

@@ -1,31 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/csv.hpp"
 
+#include "io/files/read_file.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <map>
 
 namespace gyro {
 namespace {
 
 constexpr std::size_t max_problems = 20;
 
-/// A cell without the blanks around it, and the column of the file where it begins.
+/// A cell without quotes and the blanks around it, and the column of the file where it begins.
 struct Cell {
-  std::string_view text;
+  std::string text;
   int column;
 };
 
-std::vector<Cell> cells_of(std::string_view line) {
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+/// Divides a line at the separators outside of quotes.
+std::vector<Cell> cells_of(std::string_view line, char separator) {
   std::vector<Cell> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    std::size_t first = begin, last = end;
-    while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
-    while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t')) --last;
-    cells.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
-    begin = end + 1;
+  bool quoted = false;
+  for (std::size_t begin = 0, end = 0; begin <= line.size(); begin = ++end) {
+    for (; end < line.size() && (quoted || line[end] != separator); ++end) quoted ^= line[end] == '"';
+    std::size_t first = begin, last = std::min(end, line.size());
+    while (first < last && is_blank(line[first])) ++first;
+    while (last > first && is_blank(line[last - 1])) --last;
+    std::string_view text = line.substr(first, last - first);
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    cells.push_back({std::string(text), static_cast<int>(first) + 1});
   }
   return cells;
 }
@@ -36,39 +47,77 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Takes the next line off a text; it ends with \n, \r\n or \r.
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  const std::size_t length = text.substr(end).starts_with("\r\n") ? 2 : 1;
+  text.remove_prefix(std::min(end + length, text.size()));
+  return line;
+}
+
+/// How spreadsheets divide cells: by semicolons where the decimal sign is a comma.
+char separator_of(std::string_view header) {
+  for (const char separator : {';', '\t'})
+    if (header.find(separator) != std::string_view::npos) return separator;
+  return ',';
+}
+
 class CsvReader {
  public:
   CsvReader(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& groups)
       : wanted_(header), groups_(groups) {}
 
-  CsvTable read(std::istream& stream) {
-    std::string line;
-    for (int number = 1; std::getline(stream, line) && table_.problems.size() < max_problems; ++number) {
-      if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-      if (line.ends_with('\r')) line.pop_back();
-      if (line.find_first_not_of(" \t") == std::string::npos || line[0] == '#') continue;
-      if (table_.header.empty()) {
-        if (!read_header(line, number)) return table_;
-      } else {
+  CsvTable read(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (text.substr(0, 200).find('\0') != std::string_view::npos) {
+      problem(1, 1, "is no text in UTF-8; export the table as CSV in UTF-8");
+      return std::move(table_);
+    }
+    for (int number = 1; !text.empty() && !mixed_; ++number) {
+      const std::string_view line = next_line(text);
+      if (line.starts_with("sep=") && line.size() == 5 && table_.header.empty()) continue;  // written by Excel
+      if (line.find_first_not_of(" \t,;\"") == std::string_view::npos || line[0] == '#') continue;
+      if (!table_.header.empty()) {
         read_row(line, number);
+      } else if (!read_header(line, number)) {
+        return std::move(table_);
       }
     }
     if (table_.header.empty()) problem(1, 1, "the table is empty; it must begin with the header row " + expected());
-    return table_;
+    finish_problems();
+    return std::move(table_);
   }
 
  private:
   void problem(int line, int column, std::string message) {
     if (table_.problems.size() < max_problems) table_.problems.push_back({line, column, std::move(message)});
   }
+  /// Adds a problem that may have the same cause in many rows; it is told where it is first.
+  void row_problem(const std::string& cause, int line, int column, std::string message) {
+    if (const auto known = more_.find(cause); known != more_.end()) {
+      ++known->second.rows;
+    } else if (table_.problems.size() < max_problems) {
+      more_[cause] = {table_.problems.size(), 0};
+      problem(line, column, std::move(message));
+    }
+  }
+  void finish_problems() {
+    for (const auto& [cause, again] : more_)
+      if (again.rows > 0)
+        table_.problems[again.problem].message +=
+            " (" + std::to_string(again.rows) + (again.rows > 1 ? " more rows" : " more row") + " like this)";
+  }
   std::string expected() const {
     std::string text = joined(wanted_);
     for (const auto& group : groups_) text += "[," + joined(group) + "]";
     return text;
   }
-  bool read_header(const std::string& line, int number) {
+  bool read_header(std::string_view line, int number) {
+    separator_ = separator_of(line);
     std::vector<std::string> names;
-    for (const Cell& cell : cells_of(line)) names.emplace_back(cell.text);
+    for (const Cell& cell : cells_of(line, separator_)) names.push_back(cell.text);
+    while (!names.empty() && names.back().empty()) names.pop_back();  // empty columns of a spreadsheet
     std::vector<std::string> rest = names;
     const auto take = [&](const std::vector<std::string>& group) {
       if (rest.size() < group.size() || !std::equal(group.begin(), group.end(), rest.begin())) return false;
@@ -79,34 +128,64 @@ class CsvReader {
     for (const auto& group : groups_)
       if (good) take(group);
     good = good && rest.empty();
-    if (!good) problem(number, 1, "the header row is \"" + line.substr(0, 120) + "\"; it must be " + expected());
+    if (!good)
+      problem(number, 1, "the header row is \"" + std::string(line.substr(0, 120)) + "\"; it must be " + expected());
     table_.header = std::move(names);
     return good;
   }
-  void read_row(const std::string& line, int number) {
-    const std::vector<Cell> cells = cells_of(line);
-    if (cells.size() != table_.header.size())
-      return problem(number, 1,
-                     "the row has " + std::to_string(cells.size()) + " cells; it must have " +
-                         std::to_string(table_.header.size()) + ", as the header");
-    std::vector<double> row;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const std::string_view text = cells[k].text;
-      double value = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        problem(number, cells[k].column,
-                "\"" + std::string(text.substr(0, 40)) + "\" is not a value of " + table_.header[k] +
-                    "; give a finite number");
-      row.push_back(value);
+  void read_row(std::string_view line, int number) {
+    std::vector<Cell> cells = cells_of(line, separator_);
+    while (cells.size() > table_.header.size() && cells.back().text.empty()) cells.pop_back();
+    if (cells.size() != table_.header.size()) {
+      const bool commas = separator_ == ',' && cells.size() > table_.header.size();
+      return row_problem("cells", number, 1,
+                         "the row has " + std::to_string(cells.size()) + " cells; it must have " +
+                             std::to_string(table_.header.size()) + ", as the header" +
+                             (commas ? " (decimal commas need semicolons between the cells: export as CSV with "
+                                       "semicolons, or with decimal points)"
+                                     : ""));
     }
+    std::vector<double> row;
+    for (std::size_t k = 0; k < cells.size(); ++k) row.push_back(number_of(cells[k], k, number));
     table_.rows.push_back(std::move(row));
     table_.lines.push_back(number);
   }
+  double number_of(const Cell& cell, std::size_t column, int line) {
+    std::string text = cell.text;
+    const auto commas = std::count(text.begin(), text.end(), ','), points = std::count(text.begin(), text.end(), '.');
+    if (commas == 1 && points == 0) text[text.find(',')] = '.';
+    if (text.starts_with('+')) text.erase(0, 1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+      row_problem("value " + std::to_string(column), line, cell.column,
+                  "\"" + cell.text.substr(0, 40) + "\" is not a value of " + table_.header[column] +
+                      "; give a finite number" + (commas + points > 1 ? ", without signs between the thousands" : ""));
+      return value;
+    }
+    if (commas > 0 || points > 0) expect_same_sign(commas > 0, cell, line);
+    return value;
+  }
+  /// One file has one decimal sign; with both, 1,500 could be 1500.
+  void expect_same_sign(bool comma, const Cell& cell, int line) {
+    if (sign_ == 0) sign_ = comma ? ',' : '.';
+    if ((sign_ == ',') == comma) return;
+    mixed_ = true;
+    problem(line, cell.column,
+            "\"" + cell.text.substr(0, 40) +
+                "\" has another decimal sign than the cells before; use points or commas, " +
+                "and no signs between the thousands");
+  }
 
+  struct Again {
+    std::size_t problem, rows;
+  };
   const std::vector<std::string>& wanted_;
   const std::vector<std::vector<std::string>>& groups_;
   CsvTable table_;
+  std::map<std::string, Again> more_;  ///< by cause
+  char separator_ = ',', sign_ = 0;
+  bool mixed_ = false;
 };
 
 }  // namespace
@@ -118,11 +197,13 @@ int CsvTable::column(std::string_view name) const {
 
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& header,
                   const std::vector<std::vector<std::string>>& groups) {
-  std::ifstream stream(file);
-  if (stream) return CsvReader(header, groups).read(stream);
-  CsvTable unreadable;
-  unreadable.problems.push_back({1, 1, "cannot be opened; check its permissions"});
-  return unreadable;
+  try {
+    return CsvReader(header, groups).read(read_file(file));
+  } catch (const UnreadableFile& unreadable) {
+    CsvTable table;
+    table.problems.push_back({1, 1, unreadable.problem});
+    return table;
+  }
 }
 
 }  // namespace gyro

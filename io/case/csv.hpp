@@ -25,7 +25,9 @@ struct CsvTable {
   int column(std::string_view name) const;
 };
 
-/// Reads a comma-separated table. Empty lines and lines that begin with # are skipped.
+/// Reads a table as spreadsheets write it: cells between commas, semicolons or tabs, as the header has them; quotes;
+/// decimal points, or decimal commas where they cannot be mistaken; a byte-order mark; any line ends. Lines that begin
+/// with #, empty rows and empty columns behind the last are skipped. A cause that many rows share is one problem.
 /// @param header  columns that must be there, in this order
 /// @param groups  columns that may follow, in this order, each group whole or not at all
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& header,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/parts.hpp"
 #include "io/files/digest.hpp"
+#include "io/files/read_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,12 +55,16 @@ std::optional<CaseDifference> difference(const std::string& resolved, const std:
   return {};
 }
 
-std::string input_digests(const Setting& setting) {
+std::string input_digests(const Setting& setting, CaseProblems& problems) {
   std::string lines;
   const KeyType type = setting.key ? setting.key->type : KeyType::section;
   if (type == KeyType::file || type == KeyType::files)
-    for (const std::string& file : setting.texts) lines += digest_of_file(file) + " " + file + "\n";
-  for (const Setting& child : setting.children) lines += input_digests(child);
+    for (const std::string& file : setting.texts) try {
+        lines += digest_of(read_file(file)) + " " + file + "\n";
+      } catch (const UnreadableFile& unreadable) {
+        problems.add_in_file(file, 1, 1, unreadable.problem);
+      }
+  for (const Setting& child : setting.children) lines += input_digests(child, problems);
   return lines;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/parts.hpp"
+#include "io/files/read_file.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <tuple>
 
 namespace gyro {
@@ -20,16 +19,11 @@ std::string read_text(const fs::path& file, CaseProblems& problems) {
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) return problems.add({}, "there is no such file; give the path of a case file"), "";
   if (fs::is_directory(status)) return problems.add({}, "is a directory; give the path of a case file"), "";
-  std::ifstream stream(file, std::ios::binary);
-  std::string text;
-  if (stream) {
-    text.resize(largest_file);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
+  try {
+    return read_file(file, largest_file);
+  } catch (const UnreadableFile& unreadable) {
+    return problems.add({}, unreadable.problem), "";
   }
-  if (!stream.eof() && stream.fail()) return problems.add({}, "cannot be read; check its permissions"), "";
-  if (text.size() == largest_file) return problems.add({}, "is larger than 16 MB; give a case file"), "";
-  return text;
 }
 
 /// Sets a value at a path; maps on the way are made where they are missing.
@@ -107,10 +101,13 @@ CaseReport load_case(const fs::path& file, const std::vector<std::string>& overr
       const CaseTables tables = read_tables(root, problems);
       check_settings(root, problems);
       if (problems.empty()) {
-        report.loaded = build_case(root, tables);
-        report.loaded->file = fs::absolute(file).lexically_normal();
-        report.loaded->resolved = write_settings(root);
-        report.loaded->inputs = input_digests(root);
+        std::string digests = input_digests(root, problems);
+        if (problems.empty()) {
+          report.loaded = build_case(root, tables);
+          report.loaded->file = fs::absolute(file).lexically_normal();
+          report.loaded->resolved = write_settings(root);
+          report.loaded->inputs = std::move(digests);
+        }
       }
     }
   }

@@ -57,8 +57,8 @@ void check_settings(const Setting& root, CaseProblems& problems);
 /// @throws BadInput for a name plate that no motor has
 DrivetrainParameters build_drivetrain(const Setting& section, const CaseTables& tables, const CaseCrusher& crusher);
 
-/// One line a file that the settings name: digest of its content, path.
-std::string input_digests(const Setting& setting);
+/// One line a file that the settings name: digest of its content, path. Files that cannot be read are problems.
+std::string input_digests(const Setting& setting, CaseProblems& problems);
 
 /// The case of settings without problems.
 Case build_case(const Setting& root, const CaseTables& tables);

@@ -3,6 +3,7 @@
 #include "io/case/parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace gyro {
@@ -57,6 +58,8 @@ std::vector<LinerRow> read_liners(const fs::path& file, CaseProblems& problems) 
   std::vector<LinerRow> liners;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const LinerRow row{table.rows[k][0], table.rows[k][1], table.rows[k][2]};
+    checker.expect(std::max({std::abs(row.z), row.mantle_radius, row.concave_radius}) <= longest_length, k,
+                   "a length is more than 1 km; the profile is in metres");
     checker.expect(row.mantle_radius > 0, k, "the mantle's radius is not positive; it must be > 0");
     checker.expect(row.concave_radius > row.mantle_radius, k,
                    "there is no gap; the concave radius must be larger than the mantle radius");
@@ -69,7 +72,11 @@ std::vector<LinerRow> read_liners(const fs::path& file, CaseProblems& problems) 
 }
 
 std::vector<PassingPoint> read_sieves(const fs::path& file, CaseProblems& problems) {
-  const CsvTable table = read_csv(file, {"size_mm", "passing_percent"});
+  CsvTable table = read_csv(file, {"size_mm", "passing_percent"});
+  if (table.problems.empty() && table.rows.size() > 1 && table.rows.front()[0] > table.rows.back()[0]) {
+    std::ranges::reverse(table.rows);  // laboratories list the coarsest sieve first
+    std::ranges::reverse(table.lines);
+  }
   TableChecker checker(file, table, problems);
   if (!table.problems.empty()) return {};
   checker.expect_rows(2);
@@ -78,15 +85,39 @@ std::vector<PassingPoint> read_sieves(const fs::path& file, CaseProblems& proble
   const std::size_t n = table.rows.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double size = table.rows[k][0], percent = table.rows[k][1];
+    checker.expect(size <= 1e3 * longest_length, k, "the size is more than 1 km; sieves are in mm");
     checker.expect(size > 0, k, "the size is not positive; it must be > 0");
     checker.expect(k == 0 || percent >= table.rows[k - 1][1], k, "passing falls; each row must be >= the one before");
     checker.expect(k > 0 || percent == 0, k,
-                   "the first sieve does not pass 0 percent; begin with a size that nothing passes");
+                   "the finest sieve does not pass 0 percent; what passes it has no size: add a row with the smallest "
+                   "size to simulate and 0 percent");
     checker.expect(k + 1 < n || percent == 100, k,
-                   "the last sieve does not pass 100 percent; end with a size that everything passes");
+                   "the coarsest sieve does not pass 100 percent; add a row with the largest size and 100 percent");
     points.push_back({size * 1e-3, percent * 1e-2});
   }
   return points;
+}
+
+/// The motor drives up to its synchronous speed; above it is a generator, if the table goes that far.
+void check_torques(const std::vector<double>& torques, TableChecker& checker) {
+  const std::size_t n = torques.size();
+  checker.expect(torques[n - 1] <= 0, n - 1, "the motor still drives at its last speed; the last torque must be <= 0");
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    if (torques[k] > 0) continue;
+    const bool drives_later = std::any_of(torques.begin() + static_cast<std::ptrdiff_t>(k), torques.end(),
+                                          [](double torque) { return torque > 0; });
+    if (drives_later || k == 0)
+      return checker.expect(false, k,
+                            "the motor does not drive here; the torque must be > 0 in every row up to the synchronous "
+                            "speed");
+    checker.expect(torques[k + 1] < 0, k + 1,
+                   "the torque above the synchronous speed is not negative; give the generator's torque, or end the "
+                   "table at the synchronous speed");
+    if (torques[k + 1] >= 0) return;
+  }
+  checker.expect(torques[n - 1] <= torques[n - 2], n - 1,
+                 "the torque rises at the last speed, so that the motor would drive far above it; end the table "
+                 "where the generator's torque still falls");
 }
 
 CurveMotor read_motor(const fs::path& file, CaseProblems& problems) {
@@ -102,10 +133,7 @@ CurveMotor read_motor(const fs::path& file, CaseProblems& problems) {
   }
   if (const std::size_t n = table.rows.size(); n >= 2) {
     checker.expect(motor.speeds[0] <= 0, 0, "the curve does not begin at standstill; the first speed must be 0 rpm");
-    checker.expect(motor.torques[n - 1] <= 0, n - 1,
-                   "the motor still drives at its last speed; the last torque must be <= 0");
-    checker.expect(motor.torques[n - 2] > 0, n - 2,
-                   "the motor does not drive here; the torque must be > 0 in every row but the last");
+    check_torques(motor.torques, checker);
   }
   return motor;
 }

@@ -74,6 +74,14 @@ const std::vector<Unit> unit_table = {
     {"psi", pressure, psi},
     {"N/m2", pressure, 1},
     {"N/mm2", pressure, 1e6},
+    {"1/Pa", compliance, 1},
+    {"1/kPa", compliance, 1e-3},
+    {"1/MPa", compliance, 1e-6},
+    {"1/GPa", compliance, 1e-9},
+    {"Pa-1", compliance, 1},
+    {"m2/N", compliance, 1},
+    {"mm2/N", compliance, 1e-6},
+    {"mm3/(N m)", compliance, 1e-9},
     {"N/m", stiffness, 1},
     {"kN/m", stiffness, 1e3},
     {"MN/m", stiffness, 1e6},
@@ -245,6 +253,8 @@ std::string_view name_of(Dimension dimension) {
       return "a torque";
     case pressure:
       return "a pressure";
+    case compliance:
+      return "a volume per work";
     case stiffness:
       return "a stiffness";
     case stiffness_per_area:

@@ -23,6 +23,7 @@ enum class Dimension {
   force,               // [N]
   torque,              // [N m]
   pressure,            // [Pa]
+  compliance,          // [1/Pa]
   stiffness,           // [N/m]
   stiffness_per_area,  // [Pa/m]
   density,             // [kg/m3]

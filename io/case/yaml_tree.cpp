@@ -5,6 +5,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 #include <sstream>
+#include <unordered_map>
 
 namespace gyro {
 namespace {
@@ -65,6 +66,7 @@ class TreeBuilder : public YAML::EventHandler {
     bool drop = false;     ///< the value belongs to a key that is refused
     std::string key;
     Mark key_mark;
+    std::unordered_map<std::string, Mark> keys;  ///< of a map so far, and where they are
   };
 
   YamlNode node(YamlNode::Kind kind, const YAML::Mark& mark) const {
@@ -87,7 +89,7 @@ class TreeBuilder : public YAML::EventHandler {
       problem(place(mark), "nested too deep; use at most " + std::to_string(deepest) + " levels");
       throw TooDeep{};
     }
-    frames_.push_back({node(kind, mark), false, false, {}, {}});
+    frames_.push_back({node(kind, mark), false, false, {}, {}, {}});
   }
   void close() {
     YamlNode done = std::move(frames_.back().node);
@@ -112,9 +114,10 @@ class TreeBuilder : public YAML::EventHandler {
     if (key.kind != YamlNode::Kind::scalar)
       return problem(key.mark, "a key must be a name; a list, a map or null cannot be a key");
     if (key.text == "<<") return problem(key.mark, "merge keys (<<) are not read; write the keys out");
-    if (const YamlEntry* before = frame.node.find(key.text))
+    const auto [before, first] = frame.keys.try_emplace(key.text, key.mark);
+    if (!first)
       return problem(key.mark, "key \"" + key.text + "\" is given twice (first at " +
-                                   std::to_string(before->mark.line) + ":" + std::to_string(before->mark.column) +
+                                   std::to_string(before->second.line) + ":" + std::to_string(before->second.column) +
                                    "); give it once");
     frame.drop = false;
     frame.key = key.text;

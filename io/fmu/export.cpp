@@ -3,14 +3,13 @@
 
 #include "core/base/errors.hpp"
 #include "io/files/digest.hpp"
+#include "io/files/read_file.hpp"
 #include "io/fmu/archive.hpp"
 #include "io/fmu/model_description.hpp"
 #include "mbd/fmi/drive_slave.hpp"
 
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 
 namespace gyro {
 namespace {
@@ -25,11 +24,11 @@ std::string guid_of(const std::string& content) {
 }
 
 std::string library_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(stream), {}};
-  if (content.empty())
-    throw OutputError(file.string() + ": cannot be read; it is built beside the program and belongs into every FMU");
-  return content;
+  try {
+    return read_file(file);
+  } catch (const UnreadableFile& unreadable) {
+    throw OutputError(std::string(unreadable.what()) + " (it is built beside the program and belongs into every FMU)");
+  }
 }
 
 }  // namespace

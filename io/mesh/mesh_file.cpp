@@ -2,14 +2,13 @@
 #include "io/mesh/mesh_file.hpp"
 
 #include "core/base/errors.hpp"
+#include "io/files/read_file.hpp"
 #include "io/mesh/obj.hpp"
 #include "io/mesh/stl.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace gyro {
 namespace {
@@ -20,20 +19,23 @@ std::string lower_extension(const std::string& path) {
   return end;
 }
 
-/// The triangles as the file has them.
-TriangleMesh parse_file(const std::string& path) {
+/// The triangles as the file has them, and notes on its form.
+RepairedMesh parse_file(const std::string& path) {
   const std::string end = lower_extension(path);
   if (end != ".stl" && end != ".obj")
     throw BadInput(path + ": unknown kind of mesh; only .stl and .obj files are read");
   const std::string bytes = read_bytes(path);
-  return end == ".stl" ? parse_stl(bytes, path) : parse_obj(bytes, path);
+  RepairedMesh given;
+  given.mesh = end == ".stl" ? parse_stl(bytes, path, &given.notes) : parse_obj(bytes, path);
+  return given;
 }
 
 /// Reads a file and repairs its mesh; notes and errors of the repair name the file.
 RepairedMesh read_repaired(const std::string& path, RepairedMesh (*repair)(const TriangleMesh&)) {
-  const TriangleMesh given = parse_file(path);
+  const RepairedMesh given = parse_file(path);
   try {
-    RepairedMesh repaired = repair(given);
+    RepairedMesh repaired = repair(given.mesh);
+    repaired.notes.insert(repaired.notes.begin(), given.notes.begin(), given.notes.end());
     for (std::string& note : repaired.notes) note.insert(0, path + ": ");
     return repaired;
   } catch (const BadInput& problem) {
@@ -44,14 +46,12 @@ RepairedMesh read_repaired(const std::string& path, RepairedMesh (*repair)(const
 }  // namespace
 
 std::string read_bytes(const std::string& path) {
+  // A pipe can be read once only, and meshes are read twice.
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw BadInput(path + ": no such file");
-  if (!std::filesystem::is_regular_file(path, error)) throw BadInput(path + ": not a file");
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  const bool empty = std::filesystem::file_size(path, error) == 0;
-  if (!file || (!empty && !(bytes << file.rdbuf()))) throw BadInput(path + ": cannot be read");
-  return std::move(bytes).str();
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw BadInput(path + ": is no file; give an STL or OBJ file");
+  return read_file(path);
 }
 
 RepairedMesh read_mesh(const std::string& path) {

@@ -16,7 +16,7 @@ RepairedMesh read_mesh(const std::string& path);
 /// @throws BadInput as read_mesh and repaired_solid, with the path
 RepairedMesh read_solid(const std::string& path);
 
-/// All bytes of a regular file. @throws BadInput if it cannot be read
+/// All bytes of a regular file. @throws BadInput if it is none or cannot be read
 std::string read_bytes(const std::string& path);
 
 }  // namespace gyro

@@ -15,8 +15,10 @@ class ObjParser {
  public:
   explicit ObjParser(const std::string& name) : name_(name) {}
 
-  void line(std::string_view text) {
-    ++number_;
+  /// @param lines  of the file that it takes, more than one where they are joined
+  void line(std::string_view text, std::size_t lines) {
+    number_ = next_;
+    next_ += lines;
     text_ = text.substr(0, text.find('#'));
     const std::string_view keyword = word();
     if (keyword == "v") {
@@ -86,11 +88,13 @@ class ObjParser {
 
   std::string name_;
   std::string_view text_;
-  std::size_t number_ = 0;
+  std::size_t number_ = 0, next_ = 1;
   TriangleMesh mesh_;
 };
 
+/// Whether a backslash joins the next line. One at the end of a comment, such as a path, does not.
 bool continues(std::string_view line) {
+  if (line.find('#') != std::string_view::npos) return false;
   const std::size_t last = line.find_last_not_of(" \t\r");
   return last != std::string_view::npos && line[last] == '\\';
 }
@@ -99,13 +103,16 @@ bool continues(std::string_view line) {
 
 TriangleMesh parse_obj(std::string_view text, const std::string& name) {
   ObjParser parser(name);
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const char newline = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = std::min(text.find('\n', begin), text.size());
-    // A backslash at the end joins the next line; word() skips it like a blank.
-    while (end < text.size() && continues(text.substr(begin, end - begin))) {
-      end = std::min(text.find('\n', end + 1), text.size());
+    std::size_t end = std::min(text.find(newline, begin), text.size()), joined = 0;
+    // word() skips the backslash like a blank.
+    for (std::size_t last = begin; end < text.size() && continues(text.substr(last, end - last)); ++joined) {
+      last = end + 1;
+      end = std::min(text.find(newline, last), text.size());
     }
-    parser.line(text.substr(begin, end - begin));
+    parser.line(text.substr(begin, end - begin), 1 + joined);
     begin = end + 1;
   }
   return parser.finish();

@@ -3,13 +3,16 @@
 
 #include "core/base/errors.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <ranges>
 
 namespace gyro {
 namespace {
@@ -51,74 +54,156 @@ TriangleMesh parse_binary(std::string_view bytes, const std::string& name) {
   return mesh;
 }
 
-/// Words of a text, one after the other; empty at the end.
+bool same_word(std::string_view a, std::string_view lower) {
+  return std::ranges::equal(a, lower, {}, [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+}
+
+/// Words of a text, one after the other, without comments (lines that begin with # or ;); empty at the end.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
   std::string_view next() {
-    constexpr const char* blanks = " \t\r\n\v\f";
-    const std::size_t begin = std::min(text_.find_first_not_of(blanks, at_), text_.size());
-    at_ = std::min(text_.find_first_of(blanks, begin), text_.size());
+    for (skip_blanks(); at_ < text_.size() && is_comment(); skip_blanks()) skip_line();
+    const std::size_t begin = at_;
+    at_ = std::min(text_.find_first_of(" \t\r\n\v\f", begin), text_.size());
     return text_.substr(begin, at_ - begin);
+  }
+  void skip_line() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
+  /// Of the word that next() gave last, from 1. Lines end with \n, \r\n or \r.
+  std::size_t line() const {
+    const std::string_view read = text_.substr(0, at_);
+    const auto feeds = std::ranges::count(read, '\n');
+    return 1 + static_cast<std::size_t>(feeds > 0 ? feeds : std::ranges::count(read, '\r'));
   }
 
  private:
+  void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n\v\f", at_), text_.size()); }
+  bool is_comment() const {
+    if (text_[at_] != '#' && text_[at_] != ';') return false;
+    const std::size_t before = text_.substr(0, at_).find_last_not_of(" \t");
+    return before == std::string_view::npos || text_[before] == '\n' || text_[before] == '\r';
+  }
+
   std::string_view text_;
   std::size_t at_ = 0;
 };
 
-double coordinate(std::string_view word, const std::string& name, const TriangleMesh& mesh) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || error != std::errc{} || end != word.data() + word.size()) {
-    refuse(name, "triangle " + std::to_string(mesh.vertices.size() / 3 + 1) + " has '" +
-                     std::string(word.substr(0, 30)) + "' in place of a coordinate");
+/// ASCII STL: solids one after the other, each from `solid NAME` to `endsolid NAME`. A name is the rest of its line.
+class AsciiStl {
+ public:
+  AsciiStl(std::string_view text, const std::string& name) : words_(text), name_(name) {}
+
+  TriangleMesh read() {
+    for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+      if (!same_word(word, "solid")) refuse_word(word, "'solid'");
+      words_.skip_line();
+      read_solid();
+    }
+    return std::move(mesh_);
   }
-  return value;
+
+ private:
+  [[noreturn]] void refuse_here(const std::string& problem) const {
+    refuse(name_ + ":" + std::to_string(words_.line()), problem);
+  }
+  [[noreturn]] void refuse_word(std::string_view word, const std::string& wanted) const {
+    if (word.empty()) refuse_here("the text ends before 'endsolid': the file is truncated");
+    refuse_here("'" + std::string(word.substr(0, 30)) + "' in place of " + wanted);
+  }
+
+  void read_solid() {
+    for (std::string_view word = words_.next(); !same_word(word, "endsolid"); word = words_.next()) {
+      if (same_word(word, "solid"))
+        refuse_here("a solid begins before the 'endsolid' of the one above: a part of the file is missing");
+      if (same_word(word, "facet"))
+        read_facet();
+      else if (same_word(word, "outer"))
+        read_loop(word);
+      else
+        refuse_word(word, "'facet' or 'endsolid'");
+    }
+    words_.skip_line();
+  }
+  /// What `normal` gives is not used: the order of the corners says where the outside is.
+  void read_facet() {
+    const std::size_t before = mesh_.triangles.size();
+    std::string_view word = words_.next();
+    if (same_word(word, "normal")) {
+      for (int k = 0; k < 3; ++k) words_.next();
+      word = words_.next();
+    }
+    for (; !same_word(word, "endfacet"); word = words_.next()) read_loop(word);
+    if (mesh_.triangles.size() != before + 1) refuse_here("a facet does not have 3 corners");
+  }
+  /// From `outer loop`, whose first word has been read, to `endloop`.
+  void read_loop(std::string_view word) {
+    if (!same_word(word, "outer")) refuse_word(word, "'outer loop'");
+    if (word = words_.next(); !same_word(word, "loop")) refuse_word(word, "'outer loop'");
+    for (word = words_.next(); !same_word(word, "endloop"); word = words_.next()) {
+      if (!same_word(word, "vertex")) refuse_word(word, "'vertex'");
+      const double x = coordinate(), y = coordinate();
+      add_corner(mesh_, {x, y, coordinate()}, name_);
+    }
+    if (mesh_.vertices.size() != 3 * mesh_.triangles.size()) refuse_here("a facet does not have 3 corners");
+  }
+  double coordinate() {
+    std::string_view word = words_.next();
+    if (word.starts_with('+')) word.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || error != std::errc{} || end != word.data() + word.size()) refuse_word(word, "a coordinate");
+    return value;
+  }
+
+  Words words_;
+  const std::string& name_;
+  TriangleMesh mesh_;
+};
+
+constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
+
+/// Whether bytes are ASCII STL: they begin with `solid`, and have no zeros where the header of a binary file has.
+bool is_ascii(std::string_view text) {
+  return same_word(Words(text).next().substr(0, 5), "solid") &&
+         text.substr(0, header_size).find('\0') == std::string_view::npos;
 }
 
-TriangleMesh parse_ascii(std::string_view text, const std::string& name) {
-  TriangleMesh mesh;
-  Words words(text);
-  bool inside = false;  // between outer loop and endloop
-  bool ended = false;   // after endsolid
-  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (word == "outer") {
-      inside = true;
-    } else if (word == "endloop") {
-      if (mesh.vertices.size() != 3 * mesh.triangles.size()) refuse(name, "a facet does not have 3 corners");
-      inside = false;
-    } else if (word == "vertex" && inside) {
-      const double x = coordinate(words.next(), name, mesh), y = coordinate(words.next(), name, mesh);
-      add_corner(mesh, {x, y, coordinate(words.next(), name, mesh)}, name);
-    } else if (word == "endsolid") {
-      ended = true;
-    }
-  }
-  if (inside || !ended) refuse(name, "the text ends before 'endsolid': the file is truncated");
-  return mesh;
+/// Bytes behind the last triangle of a binary file that are ignored: less than one triangle, or zeros and blanks.
+bool is_filling(std::string_view bytes) {
+  constexpr std::size_t block = 4096;  // of discs and tapes
+  return bytes.size() < triangle_size || (bytes.size() <= block && bytes.find_first_not_of(std::string_view(
+                                                                       "\0 \t\r\n\x1a", 6)) == std::string_view::npos);
+}
+
+[[noreturn]] void refuse_binary(std::string_view bytes, std::uint64_t expected, const std::string& name) {
+  const auto is_text = [](unsigned char c) { return std::isprint(c) || std::isspace(c); };
+  if (!bytes.empty() && std::ranges::all_of(bytes.substr(0, 4 * header_size), is_text))
+    refuse(name, "a text that does not begin with 'solid', as ASCII STL does");
+  if (bytes.size() < header_size)
+    refuse(name, "only " + std::to_string(bytes.size()) + " bytes, which is too short for an STL file");
+  refuse(name, "the header announces " + std::to_string(announced_triangles(bytes)) + " triangles, which is " +
+                   std::to_string(expected) + " bytes, but the file has " + std::to_string(bytes.size()) +
+                   (bytes.size() < expected ? ": truncated or damaged" : ": damaged, or more than one file in it"));
 }
 
 }  // namespace
 
-TriangleMesh parse_stl(std::string_view bytes, const std::string& name) {
+TriangleMesh parse_stl(std::string_view bytes, const std::string& name, std::vector<std::string>* notes) {
   // The size decides, not the first word: many binary files begin with "solid".
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  const bool text = first != std::string_view::npos && bytes.substr(first, 5) == "solid";
   const std::uint64_t expected =
       bytes.size() >= header_size ? header_size + triangle_size * std::uint64_t{announced_triangles(bytes)} : 0;
+  const std::string_view text = bytes.starts_with(utf8_mark) ? bytes.substr(utf8_mark.size()) : bytes;
   TriangleMesh mesh;
   if (bytes.size() >= header_size && bytes.size() == expected) {
     mesh = parse_binary(bytes, name);
-  } else if (text) {
-    mesh = parse_ascii(bytes, name);
-  } else if (bytes.size() < header_size) {
-    refuse(name, "only " + std::to_string(bytes.size()) + " bytes, which is too short for an STL file");
+  } else if (is_ascii(text)) {
+    mesh = AsciiStl(text, name).read();
+  } else if (bytes.size() >= header_size && bytes.size() > expected && is_filling(bytes.substr(expected))) {
+    mesh = parse_binary(bytes.substr(0, expected), name);
+    if (notes != nullptr)
+      notes->push_back(std::to_string(bytes.size() - expected) + " bytes behind the last triangle ignored");
   } else {
-    refuse(name, "the header announces " + std::to_string(announced_triangles(bytes)) + " triangles, which is " +
-                     std::to_string(expected) + " bytes, but the file has " + std::to_string(bytes.size()) +
-                     ": truncated or damaged");
+    refuse_binary(bytes, expected, name);
   }
   if (mesh.triangles.empty()) refuse(name, "no triangles");
   return mesh;

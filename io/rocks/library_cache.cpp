@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
-#include <iterator>
 
 namespace gyro {
 namespace {

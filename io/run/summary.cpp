@@ -2,12 +2,14 @@
 #include "io/run/summary.hpp"
 
 #include "core/base/errors.hpp"
+#include "io/files/read_file.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/replace_file.hpp"
 #include "io/run/summary_lines.hpp"
 #include "io/run/summary_table.hpp"
 
-#include <fstream>
+#include <cmath>
+#include <filesystem>
 
 namespace gyro {
 namespace {
@@ -62,11 +64,9 @@ void write_summary(const Summary& summary, const std::filesystem::path& director
 
 Summary load_summary(const std::filesystem::path& directory) {
   const std::filesystem::path path = directory / "summary.json";
-  std::ifstream file(path);
-  if (!file)
-    throw BadInput(path.string() +
-                   ": cannot be read; give the directory of a run that has ended, which writes this file");
-  const Json json = Json::parse(file, nullptr, false);
+  if (!std::filesystem::exists(path))
+    throw BadInput(path.string() + ": no such file; give the directory of a run that has ended, which writes it");
+  const Json json = Json::parse(read_file(path), nullptr, false);
   try {
     if (!json.is_object() || !json.contains("status")) throw BadInput("it has no status");
     Summary summary;
@@ -79,8 +79,9 @@ Summary load_summary(const std::filesystem::path& directory) {
 }
 
 std::optional<EarlierRun> read_summary(const std::filesystem::path& directory) {
-  std::ifstream file(directory / "summary.json");
-  const Json json = Json::parse(file, nullptr, false);
+  const std::filesystem::path file = directory / "summary.json";
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  const Json json = Json::parse(read_file(file), nullptr, false);
   if (!json.is_object() || !json.contains("status") || !json["status"].is_string()) return std::nullopt;
   EarlierRun run{json["status"].get<std::string>(), 0};
   if (json.contains("simulated_seconds") && json["simulated_seconds"].is_number())

@@ -68,7 +68,9 @@ const std::vector<Key> table = {
      .doc = "Torque at standstill / rated torque."},
     {.path = "drivetrain.motor.stall_torque", .type = quantity, .dimension = torque, .range = positive, .when = "model=droop",
      .doc = "Torque at standstill."},
-    {.path = "drivetrain.motor.file", .type = file, .when = "model=curve", .doc = "CSV with the header speed_rpm,torque_Nm."},
+    {.path = "drivetrain.motor.file", .type = file, .when = "model=curve",
+     .doc = "CSV with the header speed_rpm,torque_Nm, from 0 rpm on: torques > 0 up to the synchronous speed; rows above it, with "
+            "negative torque, are the generator's."},
     {.path = "drivetrain.motor.speed", .type = quantity, .dimension = angular_speed, .range = positive, .when = "model=constant_speed",
      .doc = "Speed of the motor."},
     {.path = "drivetrain.motor.voltage", .type = quantity, .range = positive,

@@ -42,8 +42,8 @@ const std::vector<Key> material_keys = {
      .doc = "Surface properties of pairs of materials, such as `rock/steel`; every pair that can touch needs an entry."},
     {.path = "contacts.<pair>.friction", .type = quantity, .required = true, .range = not_negative,
      .doc = "Coulomb friction coefficient."},
-    {.path = "contacts.<pair>.restitution", .type = quantity, .required = true, .range = {.low = 0, .high = 1, .low_open = true},
-     .doc = "Coefficient of restitution of a normal impact of two particles."},
+    {.path = "contacts.<pair>.restitution", .type = quantity, .required = true, .range = {.low = 0.001, .high = 1},
+     .doc = "Coefficient of restitution of a normal impact of two particles; small values need small steps."},
     {.path = "contacts.<pair>.rolling_friction", .type = quantity, .fallback = "0", .range = not_negative,
      .doc = "Largest rolling torque / (effective radius x normal force)."},
     {.path = "contacts.<pair>.normal", .type = word, .fallback = "hertz", .words = normal_model_words,
@@ -102,7 +102,8 @@ const std::vector<Key> rock_keys = {
     {.path = "rocks.shapes", .required = true, .one_of = "procedural|files|cylinder", .doc = "Shapes of the rocks."},
     {.path = "rocks.shapes.procedural", .type = integer, .range = {.low = 1, .high = max_samples},
      .doc = "Number of random polyhedra, generated from the seed."},
-    {.path = "rocks.shapes.files", .type = files, .doc = "Closed STL or OBJ meshes, scaled to the sizes of the size distribution."},
+    {.path = "rocks.shapes.files", .type = files, .doc = "Closed STL or OBJ meshes, scaled to the sizes of the size "
+            "distribution; their unit, position and orientation do not matter."},
     {.path = "rocks.shapes.cylinder", .type = quantity, .range = {.low = 0.1, .high = 10},
      .doc = "Length / diameter of cylindrical test specimens; the axis is x, or z if the specimen is shorter than 0.87 "
             "diameters."},
@@ -144,7 +145,8 @@ const std::vector<Key> rock_keys = {
      .doc = "Feed opening of the crusher."},
     {.path = "rocks.sizes.vendor.min", .type = quantity, .dimension = length, .required = true, .range = positive,
      .doc = "Smallest rock; it must be smaller than 0.1 of the opening."},
-    {.path = "rocks.sizes.sieves", .type = file, .doc = "CSV with the header size_mm,passing_percent."},
+    {.path = "rocks.sizes.sieves", .type = file,
+     .doc = "CSV with the header size_mm,passing_percent, in either order of the sieves; one row has 0, one 100 percent."},
     {.path = "rocks.samples", .type = integer, .fallback = "24", .range = {.low = 1, .high = max_samples},
      .doc = "Number of rocks in the library, each of them a shape at a size."},
     {.path = "rocks.fill", .required = true, .one_of = "ratio|sizes", .doc = "Particles that make up a rock."},
@@ -179,7 +181,16 @@ const std::vector<Key> rock_keys = {
 
 const std::vector<Key> wall_keys = {
     {.path = "walls", .type = named, .doc = "Rigid walls by name; `concave` and `mantle` take their shape from crusher.profile if that is given."},
-    {.path = "walls.<name>.stl", .type = file, .doc = "Closed or open STL or OBJ mesh in metres."},
+    {.path = "walls.<name>.stl", .type = file,
+     .doc = "Closed or open STL or OBJ mesh in metres, with z upwards along the machine's axis; drawn otherwise, it is scaled, then "
+            "rotated, then shifted by the keys scale, rotate and shift."},
+    {.path = "walls.<name>.scale", .type = quantity, .range = positive, .when = "stl",
+     .doc = "Factor on the coordinates of the mesh: 0.001 for a drawing in mm; 1 by default."},
+    {.path = "walls.<name>.rotate", .type = vector, .dimension = Dimension::angle, .when = "stl",
+     .doc = "Rotates the scaled mesh about the fixed axes x, then y, then z, right-handed: [90 deg, 0, 0] for a drawing with y "
+            "upwards; none by default."},
+    {.path = "walls.<name>.shift", .type = vector, .dimension = length, .when = "stl",
+     .doc = "Added to the scaled and rotated mesh; none by default."},
     {.path = "walls.<name>.plane", .doc = "Infinite plane; the rock is on the side of the normal."},
     {.path = "walls.<name>.plane.point", .type = vector, .dimension = length, .required = true, .doc = "A point of the plane."},
     {.path = "walls.<name>.plane.normal", .type = vector, .required = true, .doc = "Normal of the plane, of any length except 0."},
@@ -265,8 +276,8 @@ const std::vector<Key> run_keys = {
      .doc = "Number of cells of the unrolled map over the height."},
     {.path = "output.liners.sectors", .type = integer, .fallback = "72", .range = {.low = 1, .high = 3600},
      .doc = "Number of cells of the unrolled map over the azimuth."},
-    {.path = "output.liners.wear_coefficient", .type = quantity, .range = positive,
-     .doc = "Archard coefficient: worn volume / (normal force x sliding distance), in 1/Pa; adds the wear depth to the maps by "
+    {.path = "output.liners.wear_coefficient", .type = quantity, .dimension = compliance, .range = positive,
+     .doc = "Archard coefficient: worn volume / (normal force x sliding distance); adds the wear depth to the maps by "
             "triangle."},
 };
 // clang-format on

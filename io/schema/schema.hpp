@@ -42,6 +42,9 @@ struct Range {
   bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
 };
 
+/// No length of a crusher is longer: a larger one is a mistake in the unit [m].
+constexpr double longest_length = 1000;
+
 /// A key of the case file.
 struct Key {
   std::string_view path;  ///< `bonds.radius.relative`; `<name>` stands for a name the user chooses

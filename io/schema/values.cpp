@@ -2,6 +2,7 @@
 #include "io/schema/values.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gyro {
 namespace {
@@ -95,6 +96,10 @@ bool ValueReader::read_number(Setting& setting, const Key& key, const YamlNode& 
   if (!key.range.holds(*parsed.value)) {
     problem(node.mark,
             path + " = " + node.text + " is out of range; it must be " + range_text(key.range, key.dimension));
+    return false;
+  }
+  if (key.dimension == Dimension::length && std::abs(*parsed.value) > longest_length) {
+    problem(node.mark, path + " = " + node.text + " is more than 1 km; check the unit");
     return false;
   }
   setting.numbers.push_back(*parsed.value);

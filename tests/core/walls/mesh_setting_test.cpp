@@ -4,6 +4,12 @@
 #include "core/walls/liners.hpp"
 #include "tests/catch.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <utility>
+
 using namespace gyro;
 
 namespace {
@@ -53,4 +59,62 @@ TEST_CASE("Settings that no lift gives are refused", "[walls][setting]") {
   TriangleMesh below = revolve(liners.concave, 48);
   for (Vec3d& v : below.vertices) v.z -= 10;
   CHECK_THROWS_AS(MeshGap(revolve(liners.mantle, 48), below, liners.motion), BadInput);
+}
+
+namespace {
+
+/// Adds a ring of quadrilaterals between two circles.
+void add_ring(TriangleMesh& mesh, double r0, double z0, double r1, double z1, int sectors) {
+  const Index first = static_cast<Index>(mesh.vertices.size());
+  for (int k = 0; k < sectors; ++k) {
+    const double a = 2 * std::numbers::pi * k / sectors;
+    mesh.vertices.push_back({r0 * std::cos(a), r0 * std::sin(a), z0});
+    mesh.vertices.push_back({r1 * std::cos(a), r1 * std::sin(a), z1});
+  }
+  for (Index k = 0; k < sectors; ++k) {
+    const Index a = first + 2 * k, b = first + 2 * ((k + 1) % sectors);
+    mesh.triangles.push_back({a, b, b + 1});
+    mesh.triangles.push_back({a, b + 1, a + 1});
+  }
+}
+
+double processor_seconds() {
+  return double(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+TEST_CASE("Liners drawn as thick bodies are set as those drawn open, in about the same time", "[walls][setting]") {
+  const Liners liners = make_liners(rows, {0.120, 0.0217, 4.2});
+  TriangleMesh mantle, concave;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const LinerRow &below = rows[k - 1], &above = rows[k];
+    add_ring(mantle, below.mantle_radius, below.z, above.mantle_radius, above.z, 48);
+    add_ring(concave, below.concave_radius, below.z, above.concave_radius, above.z, 48);
+  }
+  TriangleMesh shell = concave, solid = mantle;
+  add_ring(shell, rows.back().concave_radius, 3.2, 2.2, 3.2, 48);
+  add_ring(shell, 2.2, 3.2, 2.2, 0, 48);
+  add_ring(shell, 2.2, 0, rows.front().concave_radius, 0, 48);
+  add_ring(solid, rows.front().mantle_radius, 0, 0.2, 0, 48);
+  add_ring(solid, 0.2, 0, 0.2, 3.2, 48);
+  const auto set = [&](const TriangleMesh& inner, const TriangleMesh& outer) {
+    const MeshGap gap(inner, outer, liners.motion);
+    const double lift = gap.solve_lift(0.120);
+    return std::pair(lift, gap.measure(lift));
+  };
+  double quickest_open = 1e300, quickest_thick = 1e300;
+  for (int attempt = 0; attempt < 5; ++attempt) {  // others may use the machine
+    const double begin = processor_seconds();
+    const auto [open_lift, open] = set(mantle, concave);
+    const double middle = processor_seconds();
+    const auto [lift, thick] = set(solid, shell);
+    quickest_thick = std::min(quickest_thick, processor_seconds() - middle);
+    quickest_open = std::min(quickest_open, middle - begin);
+    CHECK(lift == Approx(open_lift).margin(1e-5));
+    CHECK(thick.closed == Approx(open.closed).margin(1e-5));
+    CHECK(thick.open == Approx(open.open).margin(1e-5));
+    if (quickest_thick < 6 * quickest_open) break;
+  }
+  CHECK(quickest_thick < 6 * quickest_open);
 }

@@ -66,3 +66,14 @@ TEST_CASE("Files that cannot be read are problems, not exceptions") {
   REQUIRE(folder.problems.size() == 1);
   CHECK(folder.problems[0].message == "is a directory; give the path of a case file");
 }
+
+TEST_CASE("An error while a case or its table is read is no end of the file") {
+  const gyro::CaseReport itself = gyro::load_case("/proc/self/mem");  // its first read fails with EIO
+  REQUIRE(itself.problems.size() == 1);
+  CHECK_THAT(itself.problems[0].message, Catch::Matchers::Contains("cannot be read: Input/output error"));
+  const gyro::CaseReport table =
+      gyro::load_case(GYRO_CASES "/quickstart.yaml", {"crusher.profile=/proc/self/mem", "feed.above=concave"});
+  REQUIRE(table.problems.size() == 1);
+  CHECK(table.problems[0].file == "/proc/self/mem");
+  CHECK_THAT(table.problems[0].message, Catch::Matchers::Contains("cannot be read: Input/output error"));
+}

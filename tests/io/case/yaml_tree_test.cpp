@@ -3,6 +3,9 @@
 
 #include "tests/catch.hpp"
 
+#include <algorithm>
+#include <ctime>
+
 using gyro::parse_yaml;
 using gyro::YamlDocument;
 using Kind = gyro::YamlNode::Kind;
@@ -66,4 +69,21 @@ TEST_CASE("Noise never throws and is never silently taken") {
       spoilt[k] = c;
       CHECK_NOTHROW(parse_yaml(spoilt));
     }
+}
+
+TEST_CASE("The time to read keys grows with their number, not with its square") {
+  std::string text;
+  for (int k = 0; k < 100000; ++k) text += "key" + std::to_string(k) + ": 1\n";
+  const auto seconds = [](std::string_view part) {
+    double quickest = 1e300;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      const std::clock_t begin = std::clock();
+      CHECK(gyro::parse_yaml(part).problems.empty());
+      quickest = std::min(quickest, double(std::clock() - begin));
+    }
+    return quickest;
+  };
+  // A twentieth of the keys; squares would take 400 times as long.
+  CHECK(seconds(text) < 80 * seconds(text.substr(0, text.find("key5000:"))));
+  CHECK(gyro::parse_yaml(text + "key7: 2\n").problems.size() == 1);
 }

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assembly/expected_counts.hpp"
+
+#include "app/assembly/bad_key.hpp"
+#include "io/files/read_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace gyro {
+namespace {
+
+constexpr double max_particles = 2e9;    // ids have 32 bits, indices a sign besides
+constexpr double many_particles = 1e7;   // [-]; a run of them takes weeks on a CPU
+constexpr double max_steps = 1e15;       // counted exactly by 64 bits and by doubles
+constexpr double share_of_memory = 0.9;  // the rest is for walls, output and the system
+constexpr double bytes_per_particle = 700, bytes_per_bond = 70;
+
+/// Rock that the feed draws on average: kinds are drawn with probability proportional to 1/mass.
+struct MeanRock {
+  double mass = 0, particles = 0, bonds = 0;
+};
+
+MeanRock mean_rock(const RockLibrary& library, double density) {
+  MeanRock mean;
+  double weights = 0;
+  for (const RockTemplate& rock : library.rocks) {
+    const double mass = density * rock.solid_volume, weight = 1 / mass;
+    weights += weight;
+    mean.mass += weight * mass;
+    mean.particles += weight * static_cast<double>(rock.centres.size());
+    mean.bonds += weight * static_cast<double>(rock.bonds.size());
+  }
+  if (!(weights > 0)) return {};
+  return {mean.mass / weights, mean.particles / weights, mean.bonds / weights};
+}
+
+void add_start(ExpectedCounts& counts, const std::vector<NewRock>& start) {
+  for (const NewRock& rock : start) {
+    counts.rocks += 1;
+    counts.particles += static_cast<double>(rock.particles.size());
+    counts.bonds += static_cast<double>(rock.bonds.size());
+  }
+}
+
+void add_feed(ExpectedCounts& counts, const FeedPlan& plan, const RockLibrary& library, const MeanRock& mean,
+              double duration) {
+  for (const FixedRock& fixed : plan.fixed) {
+    const RockTemplate& rock = library.rocks[static_cast<std::size_t>(fixed.rock)];
+    counts.rocks += 1;
+    counts.particles += static_cast<double>(rock.centres.size());
+    counts.bonds += static_cast<double>(rock.bonds.size());
+  }
+  if (!(mean.mass > 0)) return;
+  const double at_start = (plan.initial + plan.batch) / mean.mass;
+  counts.rocks += at_start;
+  counts.particles += at_start * mean.particles;
+  counts.bonds += at_start * mean.bonds;
+  counts.fed_rocks = plan.rate * std::max(0.0, duration - plan.start) / mean.mass;
+  counts.fed_particles = counts.fed_rocks * mean.particles;
+}
+
+std::string counted(const ExpectedCounts& counts) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%.3g rocks with %.3g particles and %.3g bonds at the start, about %.3g GB",
+                counts.rocks, counts.particles, counts.bonds, expected_bytes(counts.particles, counts.bonds) / 1e9);
+  return text;
+}
+
+std::string sizes_of(const RockLibrary& library) {
+  if (library.rocks.empty()) return {};
+  const auto [small, large] = std::ranges::minmax(library.rocks, {}, &RockTemplate::diameter);
+  char text[100];
+  std::snprintf(text, sizeof text, " (rocks of %.4g to %.4g mm)", 1e3 * small.diameter, 1e3 * large.diameter);
+  return text;
+}
+
+std::string in_words(double number) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3g", number);
+  return text;
+}
+
+}  // namespace
+
+double expected_bytes(double particles, double bonds) {
+  return bytes_per_particle * particles + bytes_per_bond * bonds;
+}
+
+ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, double duration) {
+  const Scene& scene = setup.scene;
+  ExpectedCounts counts;
+  counts.steps = duration / step.dt;
+  add_start(counts, setup.start);
+  if (setup.feed) {
+    const double density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
+    add_feed(counts, *setup.feed, setup.library, mean_rock(setup.library, density), duration);
+  }
+  counts.bytes = expected_bytes(counts.particles + counts.fed_particles, counts.bonds);
+  return counts;
+}
+
+double available_memory() {
+  double bytes = std::numeric_limits<double>::infinity();
+  try {
+    const std::string info = read_file("/proc/meminfo");
+    const std::size_t at = info.find("MemAvailable:");
+    if (at != std::string::npos) bytes = 1024 * std::stod(info.substr(at + 13));
+  } catch (const std::exception&) {  // another system
+  }
+  return bytes;
+}
+
+std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup) {
+  const std::string key = setup.feed ? "feed" : "particles";
+  const std::string advice =
+      "; raise the smallest size of the rock (check its unit), feed less, or use fewer particles a rock";
+  const std::string found = counted(counts) + sizes_of(setup.library);
+  if (!(counts.steps <= max_steps))
+    throw BadKey("time.duration",
+                 "the run has " + in_words(counts.steps) + " steps, more than 1e15; shorten it (check its unit)");
+  if (!(counts.particles <= max_particles)) throw BadKey(key, found + ": more than 2e9 particles" + advice);
+  if (!(counts.particles + counts.fed_particles <= max_particles))
+    throw BadKey(key, found + ", and the feed adds more than 2e9 particles over the run" + advice);
+  const double memory = available_memory();
+  if (expected_bytes(counts.particles, counts.bonds) > share_of_memory * memory)
+    throw BadKey(key, found + ": more than 0.9 of the memory that is free, " + in_words(memory / 1e9) + " GB" + advice);
+  if (counts.particles > many_particles) return {"much rock: " + found};
+  return {};
+}
+
+}  // namespace gyro

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.hpp"
+#include "core/walls/mesh_setting.hpp"
+#include "io/case/case.hpp"
+
+#include <string>
+#include <vector>
+
+// What a mesh file cannot say: its unit, its frame, its place. Meshes are in metres, z upwards along the machine's
+// axis.
+
+namespace gyro {
+
+/// Name of a wall and its file, with which notes about it begin.
+std::string name_of(const CaseWall& wall, const MeshFile& file);
+
+/// @throws BadInput for a mesh of more than 1 km, with its extents
+void check_extent(const TriangleMesh& mesh, const MeshFile& file);
+
+/// Signs that a liner does not stand upright on the machine's axis, each with the key that mends it.
+std::vector<std::string> frame_notes(const CaseWall& wall, const MeshFile& file, const TriangleMesh& liner);
+
+/// Signs that the mantle does not fit the concave as drawn.
+/// @param height  of the concave above the discharge plane [m]
+std::vector<std::string> setting_notes(const MeshSetting& setting, const GyrationMotion& motion, double height);
+
+/// Meshes of more than 100 m, or of more than 1000 times the largest rock.
+/// @param rock  extent of the largest rock; 0 if there is none [m]
+std::vector<std::string> size_notes(const Case& input, const std::vector<Wall>& walls, double rock);
+
+}  // namespace gyro

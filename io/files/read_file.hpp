@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/errors.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+namespace gyro {
+
+/// A file that cannot be read; the message is the path and the problem.
+struct UnreadableFile : BadInput {
+  UnreadableFile(const std::filesystem::path& path, const std::string& problem_);
+  std::string problem;  ///< what is wrong and what to do, without the path
+};
+
+/// All bytes of a file. An error in the middle of the file is an error, and never its end.
+/// @param largest  bytes that it may have
+/// @throws UnreadableFile if it is missing, a directory or too large, or if a read fails
+std::string read_file(const std::filesystem::path& path, std::size_t largest = std::numeric_limits<std::size_t>::max());
+
+}  // namespace gyro

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/files/read_file.hpp"
+#include "tests/catch.hpp"
+#include "tests/io/mesh/written.hpp"
+
+using namespace gyro;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+
+TEST_CASE("A whole file is read, whatever its bytes") {
+  const ScratchDirectory folder;
+  std::string bytes = "a\r\n";
+  bytes.resize(3 << 20, '\0');
+  bytes += "end";
+  CHECK((read_file(written(folder, "large", bytes)) == bytes));
+  CHECK(read_file(written(folder, "empty", "")).empty());
+  CHECK(read_file(written(folder, "four", "1234"), 4) == "1234");
+  CHECK(!read_file("/proc/self/status").empty());  // its size is said to be 0
+}
+
+TEST_CASE("A file that cannot be read is refused with the reason") {
+  const ScratchDirectory folder;
+  CHECK_THROWS_WITH(read_file(folder.path() / "none"), EndsWith("none: no such file; check the path"));
+  CHECK_THROWS_WITH(read_file(folder.path()), Contains("is a directory"));
+  CHECK_THROWS_WITH(read_file(written(folder, "five", "12345"), 4), Contains("is larger than 0 MB"));
+  CHECK_THROWS_WITH(read_file("/proc/self/mem"), Contains("/proc/self/mem: cannot be read: Input/output error"));
+  try {
+    read_file("/proc/self/mem");
+  } catch (const UnreadableFile& unreadable) {
+    CHECK_THAT(unreadable.problem, Catch::Matchers::StartsWith("cannot be read"));
+  }
+}
