@@ -80,6 +80,7 @@ void set_discharge(Assembly& out, const Case& input) {
   if (!input.crusher) return;
   Setup& setup = out.setup;
   setup.discharge.emplace();
+  if (!input.output.sieves.empty()) setup.discharge->sieves = input.output.sieves;
   setup.discharge->removal_depth = input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start));
   std::string why = "no fixed profile or mesh is called concave";
   try {

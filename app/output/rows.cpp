@@ -2,6 +2,13 @@
 #include "app/output/rows.hpp"
 
 namespace gyro {
+namespace {
+
+std::vector<double> sieves_of(const Case& input) {
+  return input.output.sieves.empty() ? sieve_series() : input.output.sieves;
+}
+
+}  // namespace
 
 RowWriter::RowWriter(const Case& input, const OutputForm& form)
     : input_(input),
@@ -10,8 +17,8 @@ RowWriter::RowWriter(const Case& input, const OutputForm& form)
       performance_(performance_table(), form) {
   if (breakage_table().presence.holds(form)) breakage_.emplace(breakage_table(), form);
   if (!product_table().presence.holds(form)) return;
-  product_.emplace(product_table(), form, sieve_series().size());
-  holdup_.emplace(holdup_table(), form, sieve_series().size());
+  product_.emplace(product_table(), form, sieves_of(input).size());
+  holdup_.emplace(holdup_table(), form, sieves_of(input).size());
 }
 
 void RowWriter::declare(ResultsContent& content) const {
@@ -22,7 +29,7 @@ void RowWriter::declare(ResultsContent& content) const {
   for (const auto& [curves, sieves] :
        {std::pair(&*product_, &product_sieves()), std::pair(&*holdup_, &holdup_sieves())}) {
     content.groups.push_back(curves->declaration());
-    for (FixedNumbers& fixed : fixed_numbers(*sieves, {}, Sieves{sieve_series()}, curves->declaration().name))
+    for (FixedNumbers& fixed : fixed_numbers(*sieves, {}, Sieves{sieves_of(input_)}, curves->declaration().name))
       content.fixed.push_back(std::move(fixed));
   }
 }

@@ -20,8 +20,8 @@ void add_product(Summary& s, const Case& input, const Assembly& assembly, const 
   s.specific_energy_kwh_per_t = output.crushing_work() / 3.6e6 / (row.mass / 1000);
   s.p80 = row.p80;
   s.p50 = row.p50;
-  s.product_below_css = passing_at(row.passing, input.crusher->closed_side_setting);
-  s.product_below_oss = passing_at(row.passing, open_side_setting(*input.crusher));
+  s.product_below_css = passing_at(row.sieves, row.passing, input.crusher->closed_side_setting);
+  s.product_below_oss = passing_at(row.sieves, row.passing, open_side_setting(*input.crusher));
   s.singles_share = row.singles_share;
   if (input.bonds && !assembly.setup.library.rocks.empty())
     s.swell_of_crumbled = swell_of_crumbled(assembly.setup.library);
@@ -37,7 +37,7 @@ Estimate scaled(const Estimate& e, double factor) {
 /// Whether the run is steady, and its figures since then.
 void add_steady(Summary& s, const Case& input, const Simulation& simulation, const RunOutput& output) {
   const std::array sizes{input.crusher->closed_side_setting, open_side_setting(*input.crusher)};
-  const std::optional<SteadyState> steady = steady_state(output.gyrations(), sizes);
+  const std::optional<SteadyState> steady = steady_state(output.gyrations(), sizes, {}, simulation.product()->sieves());
   if (!steady) {
     s.not_steady = unsteady_reason(output.gyrations());
     return;

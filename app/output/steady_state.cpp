@@ -120,14 +120,14 @@ std::optional<Estimate> estimate(const std::vector<Sums>& blocks, const Figure& 
   return Estimate{*value, std::sqrt((count - 1) / count * squares)};
 }
 
-ProductRow curve_of(const Sums& sums) {
-  SieveTally tally;
-  if (!sums.sieve_mass.empty()) tally.sieve_mass = sums.sieve_mass;
+ProductRow curve_of(const Sums& sums, const std::vector<double>& sieves) {
+  SieveTally tally{sums.sieve_mass};
   for (const double mass : tally.sieve_mass) tally.mass += mass;
-  return tally.row(0);
+  return tally.row(sieves, 0);
 }
 
-SteadyState describe(const GyrationRecord& record, std::size_t first, std::span<const double> sizes) {
+SteadyState describe(const GyrationRecord& record, std::size_t first, std::span<const double> sizes,
+                     const std::vector<double>& sieves) {
   const Gyrations g = Gyrations(record.gyrations).subspan(first);
   const std::vector<Sums> blocks = blocks_of(record, first);
   const auto number = [&](const auto& figure) {
@@ -142,12 +142,12 @@ SteadyState describe(const GyrationRecord& record, std::size_t first, std::span<
   s.throughput = number([](const Sums& b) { return b.discharged / b.time; });
   s.specific_energy = estimate(
       blocks, [](const Sums& b) { return b.discharged > 0 ? std::optional(b.energy / b.discharged) : std::nullopt; });
-  s.p80 = estimate(blocks, [](const Sums& b) { return curve_of(b).p80; });
-  s.p50 = estimate(blocks, [](const Sums& b) { return curve_of(b).p50; });
+  s.p80 = estimate(blocks, [&](const Sums& b) { return curve_of(b, sieves).p80; });
+  s.p50 = estimate(blocks, [&](const Sums& b) { return curve_of(b, sieves).p50; });
   for (const double size : sizes)
     s.below.push_back(estimate(blocks, [&](const Sums& b) {
-      const ProductRow curve = curve_of(b);
-      return curve.mass > 0 ? std::optional(passing_at(curve.passing, size)) : std::nullopt;
+      const ProductRow curve = curve_of(b, sieves);
+      return curve.mass > 0 ? std::optional(passing_at(sieves, curve.passing, size)) : std::nullopt;
     }));
   if (s.throughput.value > 0) s.residence_time = mean(g, holdup_of) / s.throughput.value;
   return s;
@@ -160,10 +160,10 @@ std::size_t fewest(const SteadyLimits& limits) {
 }  // namespace
 
 std::optional<SteadyState> steady_state(const GyrationRecord& record, std::span<const double> sizes,
-                                        const SteadyLimits& limits) {
+                                        const SteadyLimits& limits, const std::vector<double>& sieves) {
   const Gyrations all(record.gyrations);
   for (std::size_t k = 0; k + fewest(limits) <= all.size(); ++k)
-    if (is_steady(all.subspan(k), limits)) return describe(record, k, sizes);
+    if (is_steady(all.subspan(k), limits)) return describe(record, k, sizes, sieves);
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/output/gyrations.hpp"
+#include "core/fragments/sieve_curve.hpp"
 #include "io/run/summary.hpp"
 
 #include <cstddef>
@@ -44,9 +45,11 @@ struct SteadyLimits {
 /// the mean powers of both halves differ by less than power_change or two standard errors. None when there is no such
 /// gyration, or too few follow it: the run was not long enough to say so. A chamber that fills slower than this shows
 /// passes: look at the hold-up.
-/// @param sizes  openings [m] of SteadyState::below
+/// @param sizes   openings [m] of SteadyState::below
+/// @param sieves  of GyrationRecord::sieve_mass [m]
 std::optional<SteadyState> steady_state(const GyrationRecord& record, std::span<const double> sizes = {},
-                                        const SteadyLimits& limits = {});
+                                        const SteadyLimits& limits = {},
+                                        const std::vector<double>& sieves = sieve_series());
 
 /// Why a run is not steady, for a record that has no steady state: "the chamber is still filling".
 std::string unsteady_reason(const GyrationRecord& record, const SteadyLimits& limits = {});

@@ -18,7 +18,8 @@ namespace gyro {
 /// escaped over the rim of the concave (core/fragments/product.hpp).
 struct Discharge {
   double removal_depth = 0;  ///< a fragment that has left is removed once it lies wholly below z = -this [m], >= 0
-  std::optional<ConcaveOutline> concave = {};  ///< none: all that falls below z = 0 is product
+  std::optional<ConcaveOutline> concave = {};   ///< none: all that falls below z = 0 is product
+  std::vector<double> sieves = sieve_series();  ///< of product and hold-up, increasing [m]
 };
 
 /// What a coupled run is made of, in SI units. Plain data: a program may fill it by hand, app/assembly fills it from a

@@ -57,8 +57,8 @@ Simulation::Simulation(Setup setup, std::unique_ptr<Dem> dem, std::optional<Driv
     blaming_part(SetupPart::feed,
                  [&] { feed_.emplace(setup_.library, *setup_.feed, setup_.scene.walls, setup_.bond_strength); });
   if (setup_.discharge) {
-    product_.emplace(rock_density_, setup_.discharge->concave);
-    hold_up_.emplace(rock_density_);
+    product_.emplace(rock_density_, setup_.discharge->concave, setup_.discharge->sieves);
+    hold_up_.emplace(rock_density_, setup_.discharge->sieves);
   }
   if (saved != nullptr)
     restore(*saved);
@@ -259,8 +259,10 @@ void Simulation::restore(const SavedState& s) {
   if (drivetrain_)
     drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain"), s.get<std::uint8_t>("drivetrain/drive"));
   if (feed_) feed_->restore(s.get_one<Feed::State>("feed"));
-  if (product_) product_.emplace(rock_density_, setup_.discharge->concave, s.get_one<Product::State>("product"));
-  if (hold_up_) hold_up_.emplace(rock_density_, s.get_one<HoldUp::State>("hold_up"));
+  if (product_)
+    product_.emplace(rock_density_, setup_.discharge->concave, setup_.discharge->sieves,
+                     s.get_one<Product::State>("product"));
+  if (hold_up_) hold_up_.emplace(rock_density_, setup_.discharge->sieves, s.get_one<HoldUp::State>("hold_up"));
   ledger_.restore(s.get_one<Ledger::State>("ledger"));
   momentum_.restore(s.get_one<MomentumBalance::State>("momentum"));
 }

@@ -33,7 +33,8 @@ std::optional<double> known_size(const HoldUp::State& known, ParticleId first, I
 
 }  // namespace
 
-HoldUp::HoldUp(double rock_density, State state) : rock_density_(rock_density), state_(std::move(state)) {}
+HoldUp::HoldUp(double rock_density, std::vector<double> sieves, State state)
+    : rock_density_(rock_density), sieves_(std::move(sieves)), state_(std::move(state)) {}
 
 void HoldUp::update(const FragmentTable& table, const ParticleSnapshot& particles, const Product& product) {
   State now;
@@ -41,7 +42,7 @@ void HoldUp::update(const FragmentTable& table, const ParticleSnapshot& particle
     const Fragment& f = table.rows[k];
     const ParticleId first = particles.id[static_cast<std::size_t>(f.first_particle)];
     if (f.particles == 1 && !product.has_left(first))
-      now.tally.add(equal_mass_diameter(f.mass, rock_density_), f.mass, 1);
+      now.tally.add(sieves_, equal_mass_diameter(f.mass, rock_density_), f.mass, 1);
   }
   for (const auto& [first, row] : held_fragments(table, particles, product)) {
     const Fragment& f = table.rows[row];
@@ -49,7 +50,7 @@ void HoldUp::update(const FragmentTable& table, const ParticleSnapshot& particle
     now.first.push_back(first);
     now.particles.push_back(f.particles);
     now.size.push_back(known ? *known : sieve_size(table, row, particles, rock_density_));
-    now.tally.add(now.size.back(), f.mass, f.particles);
+    now.tally.add(sieves_, now.size.back(), f.mass, f.particles);
   }
   state_ = std::move(now);
 }

@@ -30,18 +30,20 @@ class HoldUp {
   };
 
   /// @param rock_density  of solid rock [kg/m3]
-  explicit HoldUp(double rock_density, State state = {});
+  /// @param sieves        of the analysis, increasing [m]
+  explicit HoldUp(double rock_density, std::vector<double> sieves = sieve_series(), State state = {});
 
   /// Analyses the present hold-up.
   /// @param table    of these particles
   /// @param product  after its update with them
   void update(const FragmentTable& table, const ParticleSnapshot& particles, const Product& product);
   /// The last analysis.
-  ProductRow row(double time) const { return state_.tally.row(time); }
+  ProductRow row(double time) const { return state_.tally.row(sieves_, time); }
   const State& state() const { return state_; }
 
  private:
   double rock_density_;
+  std::vector<double> sieves_;
   State state_;
 };
 

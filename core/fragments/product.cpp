@@ -5,13 +5,10 @@
 
 namespace gyro {
 
-Product::Product(double rock_density, std::optional<ConcaveOutline> concave)
-    : rock_density_(rock_density), concave_(std::move(concave)) {
-  state_.sieve_mass.assign(sieve_series().size() + 1, 0.0);
+Product::Product(double rock_density, std::optional<ConcaveOutline> concave, std::vector<double> sieves, State state)
+    : rock_density_(rock_density), concave_(std::move(concave)), sieves_(std::move(sieves)), state_(std::move(state)) {
+  state_.sieve_mass.resize(sieves_.size() + 1);
 }
-
-Product::Product(double rock_density, std::optional<ConcaveOutline> concave, State state)
-    : rock_density_(rock_density), concave_(std::move(concave)), state_(std::move(state)) {}
 
 bool Product::has_left(ParticleId id) const {
   return id < state_.place.size() && state_.place[id] != in_chamber;
@@ -38,7 +35,7 @@ void Product::count_discharged(const FragmentTable& table, std::size_t row, cons
   ++state_.fragments;
   state_.particles += f.particles;
   state_.mass += f.mass;
-  state_.sieve_mass[sieve_of(sieve_size(table, row, particles, rock_density_))] += f.mass;
+  state_.sieve_mass[sieve_of(sieves_, sieve_size(table, row, particles, rock_density_))] += f.mass;
   if (f.particles == 1) {
     ++state_.singles;
     state_.singles_mass += f.mass;
@@ -78,7 +75,8 @@ std::int64_t Product::inside(const ParticleSnapshot& particles) const {
 }
 
 ProductRow Product::row(double time) const {
-  return SieveTally{state_.sieve_mass, state_.particles, state_.fragments, state_.mass, state_.singles_mass}.row(time);
+  return SieveTally{state_.sieve_mass, state_.particles, state_.fragments, state_.mass, state_.singles_mass}.row(
+      sieves_, time);
 }
 
 }  // namespace gyro

@@ -51,8 +51,9 @@ class Product {
 
   /// @param rock_density  of solid rock [kg/m3], for the size of single particles
   /// @param concave       none: nothing escapes
-  explicit Product(double rock_density, std::optional<ConcaveOutline> concave = {});
-  Product(double rock_density, std::optional<ConcaveOutline> concave, State state);
+  /// @param sieves        of the analysis, increasing [m]
+  explicit Product(double rock_density, std::optional<ConcaveOutline> concave = {},
+                   std::vector<double> sieves = sieve_series(), State state = {});
 
   /// Counts the fragments that have newly left the chamber.
   /// @param table  of these particles
@@ -67,6 +68,7 @@ class Product {
   std::int64_t inside(const ParticleSnapshot& particles) const;
   /// Sieve analysis of what was discharged.
   ProductRow row(double time) const;
+  const std::vector<double>& sieves() const { return sieves_; }
   const State& state() const { return state_; }
 
  private:
@@ -76,6 +78,7 @@ class Product {
 
   double rock_density_;
   std::optional<ConcaveOutline> concave_;
+  std::vector<double> sieves_;
   State state_;
 };
 

@@ -22,13 +22,12 @@ const std::vector<double>& sieve_series() {
   return sizes;
 }
 
-std::size_t sieve_of(double size) {
-  const std::vector<double>& sieves = sieve_series();
+std::size_t sieve_of(const std::vector<double>& sieves, double size) {
   return static_cast<std::size_t>(std::lower_bound(sieves.begin(), sieves.end(), size) - sieves.begin());
 }
 
-std::optional<double> passing_size(const std::vector<double>& passing, double share) {
-  const std::vector<double>& sieves = sieve_series();
+std::optional<double> passing_size(const std::vector<double>& sieves, const std::vector<double>& passing,
+                                   double share) {
   const auto above = std::lower_bound(passing.begin(), passing.end(), share);
   if (above == passing.begin() || above == passing.end()) return std::nullopt;
   const auto k = static_cast<std::size_t>(above - passing.begin());
@@ -36,30 +35,32 @@ std::optional<double> passing_size(const std::vector<double>& passing, double sh
   return sieves[k - 1] * std::pow(sieves[k] / sieves[k - 1], part);
 }
 
-double passing_at(const std::vector<double>& passing, double size) {
-  const std::vector<double>& sieves = sieve_series();
-  const std::size_t k = sieve_of(size);
+double passing_at(const std::vector<double>& sieves, const std::vector<double>& passing, double size) {
+  const std::size_t k = sieve_of(sieves, size);
   if (k == 0) return passing.front();
   if (k == sieves.size()) return passing.back();
   const double part = std::log(size / sieves[k - 1]) / std::log(sieves[k] / sieves[k - 1]);
   return passing[k - 1] + part * (passing[k] - passing[k - 1]);
 }
 
-void SieveTally::add(double size, double fragment_mass, std::int64_t fragment_particles) {
+void SieveTally::add(const std::vector<double>& sieves, double size, double fragment_mass,
+                     std::int64_t fragment_particles) {
+  sieve_mass.resize(sieves.size() + 1);
   ++fragments;
   particles += fragment_particles;
   mass += fragment_mass;
-  sieve_mass[sieve_of(size)] += fragment_mass;
+  sieve_mass[sieve_of(sieves, size)] += fragment_mass;
   if (fragment_particles == 1) singles_mass += fragment_mass;
 }
 
-ProductRow SieveTally::row(double time) const {
+ProductRow SieveTally::row(const std::vector<double>& sieves, double time) const {
   ProductRow row;
+  row.sieves = sieves;
   row.time = time;
   row.mass = mass;
   row.particles = particles;
   row.fragments = fragments;
-  row.passing.assign(sieve_series().size(), 0.0);
+  row.passing.assign(sieves.size(), 0.0);
   if (!(mass > 0)) return row;
   row.singles_share = singles_mass / mass;
   double total = 0, finer = 0;
@@ -68,8 +69,8 @@ ProductRow SieveTally::row(double time) const {
     finer += sieve_mass[k];
     row.passing[k] = finer / total;
   }
-  row.p80 = passing_size(row.passing, 0.8);
-  row.p50 = passing_size(row.passing, 0.5);
+  row.p80 = passing_size(sieves, row.passing, 0.8);
+  row.p50 = passing_size(sieves, row.passing, 0.5);
   return row;
 }
 

@@ -238,6 +238,7 @@ CaseOutput output_of(const Setting& section) {
                                   static_cast<int>(maps->number("sectors")), number_if(*maps, "wear_coefficient")};
   if (const Setting* probes = section.find("probes"))
     for (const double id : probes->numbers) output.probes.push_back(static_cast<std::uint32_t>(id));
+  if (const Setting* sieves = section.find("sieves")) output.sieves = sieves->numbers;
   return output;
 }
 

@@ -28,6 +28,8 @@ std::string kind_of(const Key& key) {
       return "list of three quantities";
     case KeyType::interval:
       return "list of two quantities, the second larger";
+    case KeyType::quantities:
+      return "list of increasing quantities";
     case KeyType::integers:
       return "list of whole numbers";
     case KeyType::words:
@@ -45,7 +47,7 @@ std::string kind_of(const Key& key) {
 /// Unit, words beside the number, and range: ` [s] or auto, > 0`.
 std::string limits_of(const Key& key) {
   const bool measured = key.type == KeyType::quantity || key.type == KeyType::vector || key.type == KeyType::interval ||
-                        key.type == KeyType::passing;
+                        key.type == KeyType::quantities || key.type == KeyType::passing;
   std::string text = measured ? " [" + std::string(si_unit(key.dimension)) + "]" : "";
   if (key.type == KeyType::quantity && !key.words.empty()) text += " or " + choice(split(key.words, '|'));
   if (const std::string range = range_text(key.range, key.dimension); !range.empty()) text += ", " + range;

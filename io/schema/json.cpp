@@ -78,6 +78,8 @@ Json value_schema(const Key& key) {
       return list_schema(quantity_schema(key), 3, 3);
     case KeyType::interval:
       return list_schema(quantity_schema(key), 2, 2);
+    case KeyType::quantities:
+      return list_schema(quantity_schema(key), 2, 0);
     case KeyType::integers: {
       Json item = {{"type", "integer"}};
       add_range(item, key.range);

@@ -266,6 +266,9 @@ const std::vector<Key> run_keys = {
     {.path = "output.probes", .type = integers, .range = {.low = 0, .high = 4294967294.0},
      .doc = "Ids of particles whose position, velocity and angular velocity are written with each row of /series; NaN once they "
             "are gone."},
+    {.path = "output.sieves", .type = quantities, .dimension = length, .range = positive,
+     .doc = "Openings of the sieves of /product and /holdup, at least two, increasing. Without it: 125 mm x 2^(k/2) from 1 mm "
+            "to 1 m. P80 and P50 are read between these sieves."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
      .doc = "Files of a snapshot: vtp for ParaView; hdf5 is not available in this version."},
     {.path = "output.liners",

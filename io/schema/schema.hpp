@@ -26,7 +26,8 @@ enum class KeyType {
   file,      ///< path, relative to the case file
   vector,    ///< list of three quantities
   interval,  ///< list of two quantities, the second larger
-  integers,  ///< list of whole numbers, not empty, each once
+  quantities,  ///< list of at least two quantities, increasing
+  integers,    ///< list of whole numbers, not empty, each once
   words,     ///< list of words, not empty
   files,     ///< list of paths, not empty
   passing,   ///< list of pairs [size, passing]

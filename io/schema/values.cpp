@@ -48,6 +48,8 @@ bool ValueReader::read(Setting& setting, const Key& key, const YamlNode& node, c
       return read_numbers(setting, key, node, path, 3);
     case KeyType::interval:
       return read_interval(setting, key, node, path);
+    case KeyType::quantities:
+      return read_quantities(setting, key, node, path);
     case KeyType::integers:
       return read_integers(setting, key, node, path);
     case KeyType::words:
@@ -129,6 +131,17 @@ bool ValueReader::read_interval(Setting& setting, const Key& key, const YamlNode
   return false;
 }
 
+bool ValueReader::read_quantities(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
+  if (node.kind != Kind::list || node.items.size() < 2) return wrong_count(key, node, path);
+  if (!read_numbers(setting, key, node, path, node.items.size())) return false;
+  for (std::size_t k = 1; k < setting.numbers.size(); ++k)
+    if (!(setting.numbers[k - 1] < setting.numbers[k])) {
+      problem(node.items[k].mark, path + " does not rise here; each value must be larger than the one before");
+      return false;
+    }
+  return true;
+}
+
 bool ValueReader::read_integers(Setting& setting, const Key& key, const YamlNode& node, const std::string& path) {
   if (node.kind != Kind::list || node.items.empty()) return wrong_count(key, node, path);
   bool good = true;
@@ -207,6 +220,8 @@ std::string form_of(const Key& key) {
       return "a list of three values";
     case KeyType::interval:
       return "a list of two values";
+    case KeyType::quantities:
+      return "a list of at least two values, each larger than the one before";
     case KeyType::integers:
       return "a list of whole numbers";
     case KeyType::words:

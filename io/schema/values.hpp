@@ -25,6 +25,7 @@ class ValueReader {
   bool read_number(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
   bool read_numbers(Setting& setting, const Key& key, const YamlNode& node, const std::string& path, std::size_t count);
   bool read_interval(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
+  bool read_quantities(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
   bool read_integers(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
   bool read_texts(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);
   bool read_passing(Setting& setting, const Key& key, const YamlNode& node, const std::string& path);

@@ -47,6 +47,7 @@ std::string value_text(const Setting& setting) {
       return list(setting.numbers, [](double number) { return std::to_string(static_cast<long long>(number)); });
     case KeyType::vector:
     case KeyType::interval:
+    case KeyType::quantities:
       return list(setting.numbers, number_text);
     case KeyType::passing: {
       std::string text = "[";

@@ -140,6 +140,18 @@ TEST_CASE("export csv writes the series with units in the names") {
   CHECK(place.gyrosim("export csv nothing").code == 2);
 }
 
+TEST_CASE("Sieves of the case are those of product and hold-up, and stay when a run goes on") {
+  const Workplace place;
+  const std::string run =
+      "run " + crush + " --out run --set output.snapshots=0 --set 'output.sieves=[5 mm, 10 mm, 40 mm]'";
+  REQUIRE(place.gyrosim(run + " --until '2 ms'").code == 0);
+  REQUIRE(place.gyrosim(run + " --until '3 ms' --resume").code == 0);
+  CHECK(result_of(place.path() / "run", "holdup/sizes") == std::vector{0.005, 0.01, 0.04});
+  CHECK(place.gyrosim("export csv run --table holdup").out.find(",passing_5mm,passing_10mm,passing_40mm,") !=
+        std::string::npos);
+  CHECK(place.gyrosim("run " + crush + " --out run --resume --until '4 ms'").code == 2);
+}
+
 TEST_CASE("export csv writes every table, curves with the size of each sieve in its name") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);

@@ -8,7 +8,7 @@ using Row = CurveReading;
 
 /// Share of the mass that passes a size, read between two sieves; none without mass.
 std::optional<double> below(const CurveReading& r, double size) {
-  return r.curve.mass > 0 ? std::optional(passing_at(r.curve.passing, size)) : std::nullopt;
+  return r.curve.mass > 0 ? std::optional(passing_at(r.curve.sieves, r.curve.passing, size)) : std::nullopt;
 }
 
 std::vector<Column<CurveReading>> curve_columns() {

@@ -82,11 +82,11 @@ TEST_CASE("Passing sizes are interpolated between sieves on a logarithmic scale"
   for (std::size_t k = 0; k < sieves.size(); ++k) {
     passing[k] = std::clamp(std::log(sieves[k] / x0) / std::log(x1 / x0), 0.0, 1.0);
   }
-  REQUIRE(passing_size(passing, 0.8));
-  CHECK(*passing_size(passing, 0.8) == Approx(x0 * std::pow(x1 / x0, 0.8)).epsilon(1e-12));
-  CHECK(*passing_size(passing, 0.5) == Approx(std::sqrt(x0 * x1)).epsilon(1e-12));
-  CHECK(!passing_size(std::vector<double>(sieves.size(), 0.0), 0.8));  // nothing, or all oversize
-  CHECK(!passing_size(std::vector<double>(sieves.size(), 1.0), 0.8));  // all finer than the finest sieve
+  REQUIRE(passing_size(sieves, passing, 0.8));
+  CHECK(*passing_size(sieves, passing, 0.8) == Approx(x0 * std::pow(x1 / x0, 0.8)).epsilon(1e-12));
+  CHECK(*passing_size(sieves, passing, 0.5) == Approx(std::sqrt(x0 * x1)).epsilon(1e-12));
+  CHECK(!passing_size(sieves, std::vector<double>(sieves.size(), 0.0), 0.8));  // nothing, or all oversize
+  CHECK(!passing_size(sieves, std::vector<double>(sieves.size(), 1.0), 0.8));  // all finer than the finest sieve
 }
 
 TEST_CASE("Rock outside of the concave below its rim has escaped, and is no product", "[product]") {
@@ -165,15 +165,35 @@ TEST_CASE("A product continues from its saved state", "[product]") {
   CHECK(!Product(rock_density).row(0).p80);
 }
 
+TEST_CASE("Product and hold-up are analysed on the sieves that are given", "[product]") {
+  ParticleSnapshot p;
+  for (const double radius : {0.004, 0.012, 0.03}) add_fragment(p, {{0, 0, 0}}, radius, rock_density, {0, 0, -1});
+  const std::vector<double> sieves{0.01, 0.02, 0.05};
+  Product product(rock_density, {}, sieves);
+  product.update(fragment_table(p), p);
+  const ProductRow row = product.row(0);
+  CHECK(row.sieves == sieves);
+  const double finest = std::pow(0.004, 3), middle = std::pow(0.012, 3), coarsest = std::pow(0.03, 3);
+  const double all = finest + middle + coarsest;
+  REQUIRE(row.passing.size() == 3);
+  CHECK(row.passing[0] == Approx(finest / all));
+  CHECK(row.passing[1] == Approx(finest / all));
+  CHECK(row.passing[2] == Approx((finest + middle) / all));
+  HoldUp hold_up(rock_density, sieves);
+  hold_up.update(fragment_table(p), p, Product(rock_density));
+  CHECK(hold_up.row(0).passing == row.passing);
+}
+
 TEST_CASE("The share below a size is the inverse of the size of a share", "[product]") {
   std::vector<double> passing(sieve_series().size(), 1.0);
   for (std::size_t k = 0; k < passing.size(); ++k)
     passing[k] = static_cast<double>(k) / (static_cast<double>(passing.size()) - 1);
   for (const double share : {0.13, 0.5, 0.8})
-    CHECK(passing_at(passing, *passing_size(passing, share)) == Approx(share).epsilon(1e-12));
-  CHECK(passing_at(passing, 1e-6) == 0);
-  CHECK(passing_at(passing, 10) == 1);
-  CHECK(passing_at(passing, sieve_series()[3]) == Approx(passing[3]).epsilon(1e-12));
+    CHECK(passing_at(sieve_series(), passing, *passing_size(sieve_series(), passing, share)) ==
+          Approx(share).epsilon(1e-12));
+  CHECK(passing_at(sieve_series(), passing, 1e-6) == 0);
+  CHECK(passing_at(sieve_series(), passing, 10) == 1);
+  CHECK(passing_at(sieve_series(), passing, sieve_series()[3]) == Approx(passing[3]).epsilon(1e-12));
 }
 
 TEST_CASE("The hold-up is the rock not yet discharged, with the sizes of a new analysis", "[product]") {

@@ -83,6 +83,8 @@ TEST_CASE("Forms that do not fit together are refused") {
           "rocks.shapes.corners cannot be combined with rocks.shapes.procedural");
   refused("rocks.shapes={procedural: 3, roughness: 2}", "between 0 and 0.3");
   refused("rocks.fill={sizes: [45 mm, 8 mm]}", "does not rise");
+  refused("output.sieves=[2 mm, 5 mm, 5 mm]", "output.sieves does not rise here");
+  refused("output.sieves=[2 mm]", "give a list of at least two values, each larger than the one before");
   refused("rocks.fill={ratio: 1}", "between 2 and 50");
   refused("bonds.strength_scatter={distribution: weibull, modulus: 4, range: [0.4, 1.6]}", "range does not belong to");
   refused("bonds.strength_scatter={distribution: weibull}", "required key \"modulus\" is missing");
