@@ -33,6 +33,8 @@ std::optional<double> known_size(const HoldUp::State& known, ParticleId first, I
 
 }  // namespace
 
+HoldUp::HoldUp(double rock_density, std::vector<double> sieves) : HoldUp(rock_density, std::move(sieves), State{}) {}
+
 HoldUp::HoldUp(double rock_density, std::vector<double> sieves, State state)
     : rock_density_(rock_density), sieves_(std::move(sieves)), state_(std::move(state)) {}
 

@@ -31,7 +31,9 @@ class HoldUp {
 
   /// @param rock_density  of solid rock [kg/m3]
   /// @param sieves        of the analysis, increasing [m]
-  explicit HoldUp(double rock_density, std::vector<double> sieves = sieve_series(), State state = {});
+  explicit HoldUp(double rock_density, std::vector<double> sieves = sieve_series());
+  /// With the state of an earlier analysis on the same sieves.
+  HoldUp(double rock_density, std::vector<double> sieves, State state);
 
   /// Analyses the present hold-up.
   /// @param table    of these particles

@@ -47,8 +47,8 @@ const std::vector<Key> material_keys = {
     {.path = "contacts.<pair>.rolling_friction", .type = quantity, .fallback = "0", .range = not_negative,
      .doc = "Largest rolling torque / (effective radius x normal force)."},
     {.path = "contacts.<pair>.normal", .type = word, .fallback = "hertz", .words = normal_model_words,
-     .doc = "Normal force: Hertz's with a dashpot, or a linear spring that unloads more steeply than it loads; the latter needs "
-            "time.safety of 0.18 for a restitution within about 1 %."},
+     .doc = "Normal force: Hertz's with a dashpot, or a linear spring that unloads more steeply than it loads; the latter takes "
+            "a quarter of the step that would be stable, for a restitution within 1 %."},
     {.path = "contacts.<pair>.rolling", .type = word, .fallback = "constant", .words = rolling_model_words,
      .doc = "Rolling resistance: a constant torque, or a spring and a dashpot up to the same torque."},
 

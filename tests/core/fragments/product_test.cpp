@@ -208,7 +208,7 @@ TEST_CASE("The hold-up is the rock not yet discharged, with the sizes of a new a
     product.update(table, p);
     HoldUp forgetful(rock_density);
     forgetful.update(table, p, product);
-    hold_up = HoldUp(rock_density, hold_up.state());  // as after a checkpoint
+    hold_up = HoldUp(rock_density, sieve_series(), hold_up.state());  // as after a checkpoint
     hold_up.update(table, p, product);
     const ProductRow held = hold_up.row(1), out = product.row(1);
     CHECK(held.passing == forgetful.row(1).passing);
