@@ -133,7 +133,7 @@ int check_command(const CaseArguments& arguments) {
   };
   if (report.loaded) {
     try {
-      assembly.emplace(assemble(*report.loaded));
+      assembly.emplace(assemble(*report.loaded, arguments.threads));
       found.emplace(estimate(*report.loaded, *assembly));
     } catch (const BadKey& bad) {
       blame(bad.key, bad.what());
