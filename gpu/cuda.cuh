@@ -81,6 +81,8 @@ struct Keep {
   }
 };
 
+class ThreadTeam;
+
 /// The CUDA executor: the contract is in core/exec/cpu.hpp. Everything runs on one stream, in order.
 class Cuda {
  public:
@@ -93,6 +95,8 @@ class Cuda {
   /// Host seconds by phase: of launching, unless GYRO_CUDA_SYNC=1 is set in the environment, which
   /// waits for every kernel.
   const PhaseTimer& timer() const { return timer_; }
+
+  ThreadTeam* host_team() const { return nullptr; }
 
   template <class Kernel>
   void for_each(const char* label, Index n, const Kernel& kernel) {

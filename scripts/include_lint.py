@@ -86,7 +86,7 @@ LIBRARIES = (
      ("gpu",)),
     ("CGAL", r"CGAL/", ("core/geometry",)),
     ("Eigen", r"Eigen/", ("core/geometry", "core/rocks", "app/verify")),
-    ("OpenMP", r"omp\.h$", ("core/exec", "app/verify")),
+    ("OpenMP", r"omp\.h$", ()),  # threads are those of core/base/thread_team.hpp
     ("spdlog or fmt", r"(spdlog|fmt)/", ("io/run",)),
     ("nlohmann-json", r"nlohmann/", ("io/schema", "io/run", "app")),
     ("libzip or pugixml", r"(zip\.h|pugixml\.hpp)$", ("io/fmu",)),
@@ -116,7 +116,7 @@ def problem_with(path, quote, header, root):
                     return f"is {what}"
     for library, pattern, places in LIBRARIES:
         if re.match(pattern, header) and not any(inside(path, place) for place in places):
-            return f"belongs to {library}, which only {', '.join(places)} may include"
+            return f"belongs to {library}, which {('only ' + ', '.join(places)) if places else 'no folder'} may include"
     return None
 
 

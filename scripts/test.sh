@@ -20,8 +20,4 @@ for argument in "$@"; do
   esac
 done
 
-# Tests run side by side: threads that wait must not spin on each other's cores.
-cores=$(nproc)
-export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
-export OMP_NUM_THREADS=${OMP_NUM_THREADS:-$((cores < 4 ? cores : 4))}
-exec ctest --test-dir "$root/build/release" --output-on-failure --no-tests=error -j "$cores" "${select[@]}" "$@"
+exec ctest --test-dir "$root/build/release" --output-on-failure --no-tests=error -j "$(nproc)" "${select[@]}" "$@"

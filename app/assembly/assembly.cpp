@@ -62,11 +62,11 @@ void set_walls(Assembly& out, const Case& input) {
   out.notes = std::move(walls.notes);
 }
 
-void set_rock(Assembly& out, const Case& input) {
+void set_rock(Assembly& out, const Case& input, int threads) {
   Setup& setup = out.setup;
   if (input.rocks) {
-    setup.library =
-        blaming("rocks", [&] { return cached_library(library_recipe(input, setup.scene), default_cache_folder()); });
+    setup.library = blaming(
+        "rocks", [&] { return cached_library(library_recipe(input, setup.scene), default_cache_folder(), threads); });
     out.notes.insert(out.notes.end(), setup.library.notes.begin(), setup.library.notes.end());
   }
   setup.start = blaming("particles", [&] { return start_state(input); });
@@ -125,14 +125,14 @@ std::string key_of(SetupPart part) {
 
 }  // namespace
 
-Assembly assemble(const Case& input) {
+Assembly assemble(const Case& input, int threads) {
   if (input.output.hdf5) throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; use vtp");
   if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
   Assembly out;
   set_walls(out, input);
   check_crusher(input, out);
   set_scene(out.setup.scene, input);
-  set_rock(out, input);
+  set_rock(out, input, threads);
   set_discharge(out, input);
   set_step(out, input);
   note_windows(out, input);

@@ -25,9 +25,10 @@ struct Assembly {
 };
 
 /// Makes the setup of a case.
+/// @param threads  that make the library of rocks; 0: all cores
 /// @throws BadKey for files that cannot be used, a library that cannot be made, a step above its limit, more
 /// rock or steps than can be run
-Assembly assemble(const Case& input);
+Assembly assemble(const Case& input, int threads = 0);
 
 /// The simulation of an assembled case; opens its drive.
 /// @param dem    empty scene made from setup.scene

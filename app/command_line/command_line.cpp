@@ -40,15 +40,19 @@ void add_case(CLI::App& command, CaseArguments& arguments) {
   command.add_option("--set", arguments.set, "override a key: key.path=value")->allow_extra_args(false);
 }
 
+void add_threads(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "threads on the CPU; default all cores")
+      ->check(CLI::Range(1, 4096))
+      ->envname("GYROSIM_THREADS");
+}
+
 void add_run(CLI::App& command, RunArguments& a) {
   add_case(command, a.input);
   command.add_option("--out", a.out, "directory of the results; default runs/<case>-NNN")->check(possible_name);
   command.add_option("--device", a.device, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->envname("GYROSIM_DEVICE");
-  command.add_option("--threads", a.threads, "threads of the CPU engine; default all cores")
-      ->check(CLI::Range(1, 4096))
-      ->envname("GYROSIM_THREADS");
+  add_threads(command, a.threads);
   command.add_flag("--resume", a.resume, "continue an interrupted run");
   command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
   command.add_option("--until", seconds_into(a.until), "end at this simulated time instead of time.duration")
@@ -104,11 +108,13 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
 
   c = app.add_subcommand("check", "validate a case; print its time step, counts and expected wall time");
   add_case(*c, a.check);
+  add_threads(*c, a.check.threads);
   c->add_flag("--json", a.check.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return check_command(a.check); }; });
 
   c = app.add_subcommand("library", "build the meta-particle library of a case");
   add_case(*c, a.library);
+  add_threads(*c, a.library.threads);
   c->add_option("--out", a.library_out, "directory")->check(possible_name);
   c->add_flag("--json", a.library.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return library_command(a.library, a.library_out); }; });

@@ -134,7 +134,7 @@ int check_command(const CaseArguments& arguments) {
       std::cerr << "starts the native code of " << report.loaded->drivetrain_fmu->file.string()
                 << ", in a process of its own with your rights, to see whether it can be initialised\n";
     try {
-      assembly.emplace(assemble(*report.loaded));
+      assembly.emplace(assemble(*report.loaded, arguments.threads));
       found.emplace(estimate(*report.loaded, *assembly));
     } catch (const BadKey& bad) {
       blame(bad.key, bad.what());

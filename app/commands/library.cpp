@@ -50,7 +50,7 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   if (!input->rocks)
     throw BadInput(to_string(problem_at(arguments.file, arguments.set, "rocks",
                                         "the case has no `rocks`; add the section, a library is made from it")));
-  const Assembly assembly = located(arguments, [&] { return assemble(*input); });
+  const Assembly assembly = located(arguments, [&] { return assemble(*input, arguments.threads); });
   const RockLibrary& library = assembly.setup.library;
   if (out) {
     make_directory(*out);

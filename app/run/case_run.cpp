@@ -17,7 +17,7 @@ CaseRun::CaseRun(const Case& input, const RunOptions& options, const SavedState*
     : input_(input),
       options_(options),
       resumed_(saved != nullptr),
-      assembly_(assemble(input)),
+      assembly_(assemble(input, options.device.threads)),
       simulation_(simulation_of(saved)),
       directory_(open_run_directory(options.directory)),
       log_(directory_.path, options.quiet),

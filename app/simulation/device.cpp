@@ -2,9 +2,7 @@
 #include "app/simulation/device.hpp"
 
 #include "core/base/errors.hpp"
-
-#include <algorithm>
-#include <thread>
+#include "core/base/thread_team.hpp"
 
 #if defined(GYRO_WITH_CUDA)
 #include "gpu/make_cuda_dem.hpp"
@@ -13,8 +11,7 @@
 namespace gyro {
 
 Device choose_device(const std::string& asked, int threads) {
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  Device device{false, threads > 0 ? threads : cores, "cpu"};
+  Device device{false, threads > 0 ? threads : all_cores(), "cpu"};
 #if defined(GYRO_WITH_CUDA)
   if (asked == "cuda" || (asked == "auto" && cuda_device_is_there())) {
     device.cuda = true;

@@ -49,7 +49,7 @@ IntactBonds intact_bonds(const ParticleStore<Exec, Real>& rock) {
 
 /// @param gravity  [m/s2]
 template <class Exec, class Real>
-ParticleSnapshot particle_snapshot(const ParticleStore<Exec, Real>& rock, const Vec3d& gravity) {
+ParticleSnapshot particle_snapshot(const Exec& exec, const ParticleStore<Exec, Real>& rock, const Vec3d& gravity) {
   const auto& position = Exec::host(rock.particles().position);
   const auto& motion = Exec::host(rock.particles().motion);
   const auto& angular = Exec::host(rock.particles().angular_motion);
@@ -70,7 +70,7 @@ ParticleSnapshot particle_snapshot(const ParticleStore<Exec, Real>& rock, const 
     s.mass.push_back(motion[k].mass);
   }
   const IntactBonds intact = intact_bonds(rock);
-  s.fragment = fragment_labels(rock.count(), intact.i, intact.j);
+  s.fragment = fragment_labels(rock.count(), intact.i, intact.j, exec.host_team());
   return s;
 }
 

@@ -41,7 +41,7 @@ class DemSolver final : public Dem {
   Extremes extremes() const override;
   Counts counts() const override;
   Vec3d momentum() const override { return sums().particles().momentum; }
-  ParticleSnapshot particles() const override { return particle_snapshot(rock_, scene_.gravity); }
+  ParticleSnapshot particles() const override { return particle_snapshot(exec_, rock_, scene_.gravity); }
   BondSnapshot bonds() const override { return bond_snapshot(exec_, rock_, laws_); }
   std::vector<Breakage> take_breakages() override { return monitor_.take_breakages(); }
   std::vector<WallImpulse> take_wall_impulses() override { return accounts_.take_impulses(); }

@@ -3,9 +3,9 @@
 
 #include "core/base/expect.hpp"
 #include "core/base/index_range.hpp"
+#include "core/base/thread_team.hpp"
 #include "core/exec/block_launch.hpp"
 #include "core/exec/phase_timer.hpp"
-#include "core/exec/thread_team.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -28,6 +28,7 @@ namespace gyro {
 ///   exclusive_scan(n, counts)              in place, n + 1 numbers; returns the total
 ///   sort_by_key(keys, values)              stable
 ///   host, upload, append, keep             the host's side of a buffer
+///   host_team()                            threads for work on the host; null without any
 ///
 /// A kernel over blocks says how its work lies: rows(k) are cleared first, by clear(row); items(k) are then worked on
 /// as if one after the other. A CPU core takes Kernel::Pack::count items at a time, a GPU takes one item a thread
@@ -48,6 +49,7 @@ class Cpu {
   explicit Cpu(int threads) : threads_(std::max(1, threads)), team_(std::make_unique<ThreadTeam>(threads_)) {}
 
   int threads() const { return threads_; }
+  ThreadTeam* host_team() const { return team_.get(); }
   PhaseTimer& timer() { return timer_; }
   const PhaseTimer& timer() const { return timer_; }
 

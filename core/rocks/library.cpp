@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rocks/library.hpp"
 
+#include "core/base/thread_team.hpp"
 #include "core/geometry/mesh.hpp"
 #include "core/geometry/principal_axes.hpp"
 #include "core/rocks/recipe.hpp"
@@ -9,7 +10,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <numbers>
 #include <set>
 
@@ -96,47 +96,38 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
 
 /// Calls work(k) for k = count - 1, ..., 0 on all threads: the largest rocks first, so that no thread ends with one.
 template <class Work>
-void for_each_downwards(int count, const Work& work) {
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int done = 0; done < count; ++done) {
-    try {
-      work(count - 1 - done);
-    } catch (...) {
-#pragma omp critical(gyro_library_failure)
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+void for_each_downwards(ThreadTeam& team, int count, const Work& work) {
+  for_each_job(team, count, [&](int done) { work(count - 1 - done); });
 }
 
 /// Makes the packings that the rocks will be cut from, so that no two rocks wait for the same one.
-void make_packings(const RangeFill& range, const std::vector<double>& diameters) {
+void make_packings(ThreadTeam& team, const RangeFill& range, const std::vector<double>& diameters) {
   std::set<Grading> gradings;
   for (const double diameter : diameters) gradings.insert(grading_of(range, diameter));
   const std::vector<Grading> list(gradings.begin(), gradings.end());
-  for_each_downwards(static_cast<int>(list.size()), [&](int k) { rock_packing(list[k]); });
+  for_each_downwards(team, static_cast<int>(list.size()), [&](int k) { rock_packing(list[k]); });
 }
 
-RockLibrary build(const LibraryRecipe& recipe, const SizeDistribution& sizes) {
+RockLibrary build(const LibraryRecipe& recipe, const SizeDistribution& sizes, ThreadTeam& team) {
   RockLibrary library;
   const std::vector<NamedMould> moulds = make_moulds(recipe, library.notes);
   std::vector<double> diameters;
   for (int k = 0; k < recipe.samples; ++k) diameters.push_back(sizes.size_at((k + 0.5) / recipe.samples));
-  if (const auto* range = std::get_if<RangeFill>(&recipe.fill)) make_packings(*range, diameters);
+  if (const auto* range = std::get_if<RangeFill>(&recipe.fill)) make_packings(team, *range, diameters);
   library.rocks.resize(recipe.samples);
-  for_each_downwards(recipe.samples,
+  for_each_downwards(team, recipe.samples,
                      [&](int k) { library.rocks[k] = make_rock(recipe, moulds[k % moulds.size()], diameters[k], k); });
   return library;
 }
 
 }  // namespace
 
-RockLibrary make_library(const LibraryRecipe& recipe) {
+RockLibrary make_library(const LibraryRecipe& recipe, int threads) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   check_recipe(recipe);
-  RockLibrary library = build(recipe, SizeDistribution(recipe.sizes));
+  ThreadTeam team(std::min(recipe.samples, threads > 0 ? threads : all_cores()));
+  RockLibrary library = build(recipe, SizeDistribution(recipe.sizes), team);
   library.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return library;
 }

@@ -68,8 +68,9 @@ struct LibraryRecipe {
 /// Makes a library. Rock k of n has the size that the mass fraction (k + 1/2)/n passes, so a
 /// feed that draws rocks with probability proportional to 1/mass follows the size law. Rock k has the shape k modulo
 /// the number of shapes. The result is the same for any number of threads.
+/// @param threads  that work on it; 0: all cores
 /// @throws BadInput if the recipe is out of range or a given shape cannot be loaded
-RockLibrary make_library(const LibraryRecipe& recipe);
+RockLibrary make_library(const LibraryRecipe& recipe, int threads = 0);
 
 /// Volume of crumbled rock, loose / volume of solid rock [-]: the packing fraction of the particles in the rocks, mean
 /// over the library (its rocks stand for equal masses), divided by that of a loose bed of spheres, 0.60. Real broken

@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/state/fragment_labels.hpp"
 
+#include "core/base/thread_team.hpp"
+
 #include <algorithm>
 
 namespace gyro {
 namespace {
 
-struct OpenMpLoop {
+constexpr Index shared_from = 4096;  // items; below, waking the threads costs more than the work
+
+struct HostLoop {
+  ThreadTeam* team;
+
   template <class Kernel>
   void operator()(const char*, Index n, const Kernel& kernel) const {
-    // Below some thousand items waking the threads costs more than the work.
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (Index i = 0; i < n; ++i) kernel(i);
+    const Index threads = team != nullptr && n > shared_from ? team->size() : 1;
+    const Index share = (n + threads - 1) / threads;
+    const auto part = [&](int t) {
+      const Index end = std::min(n, (t + 1) * share);
+      for (Index i = t * share; i < end; ++i) kernel(i);
+    };
+    if (threads == 1)
+      part(0);
+    else
+      team->run(part);
   }
 };
 
@@ -24,7 +37,8 @@ struct HostFlag {
 
 }  // namespace
 
-std::vector<Index> fragment_labels(Index particles, std::span<const Index> bond_i, std::span<const Index> bond_j) {
+std::vector<Index> fragment_labels(Index particles, std::span<const Index> bond_i, std::span<const Index> bond_j,
+                                   ThreadTeam* team) {
   const auto size = static_cast<std::size_t>(particles);
   std::vector<Index> label(size), scratch(size);
   HostFlag flag;
@@ -34,7 +48,7 @@ std::vector<Index> fragment_labels(Index particles, std::span<const Index> bond_
                                .bond_j = bond_j.data(),
                                .label = label.data(),
                                .scratch = scratch.data()},
-                              OpenMpLoop{}, flag);
+                              HostLoop{team}, flag);
   return label;
 }
 

@@ -10,6 +10,8 @@
 
 namespace gyro {
 
+class ThreadTeam;
+
 /// Every particle its own tree.
 struct PlantTrees {
   Index* parent;
@@ -99,9 +101,11 @@ void label_fragments(const LabelArrays& a, const Loop& loop, Flag&& flag) {
   if (root != a.label) loop("copy_roots", a.particles, JumpToGrandparent<Atomics>{root, a.label, flag.address(), {}});
 }
 
-/// The same on the host, with OpenMP.
+/// The same on the host.
 /// @param bond_i, bond_j  ends of the bonds, each in [0, particles)
 /// @return label of every particle: the smallest index of its fragment
-std::vector<Index> fragment_labels(Index particles, std::span<const Index> bond_i, std::span<const Index> bond_j);
+/// @param team  shares the work where there is enough of it; null: the caller's thread does it
+std::vector<Index> fragment_labels(Index particles, std::span<const Index> bond_i, std::span<const Index> bond_j,
+                                   ThreadTeam* team = nullptr);
 
 }  // namespace gyro

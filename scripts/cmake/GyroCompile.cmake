@@ -57,24 +57,18 @@ if(GYRO_PRECOMPILE)
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict>)
 endif()
 
-# gyro_precompile(TARGET [OPENMP files...]): uses the precompiled headers in all files but those that use OpenMP.
-# Only the latter are compiled with OpenMP's option, with which GCC refuses headers that were precompiled without it.
+# gyro_precompile(TARGET): uses the precompiled headers.
 function(gyro_precompile target)
-  cmake_parse_arguments(ARG "" "" "OPENMP" ${ARGN})
   if(GYRO_PRECOMPILE)
     target_precompile_headers(${target} REUSE_FROM gyro_precompiled)
   endif()
-  if(ARG_OPENMP)
-    set_source_files_properties(${ARG_OPENMP} PROPERTIES COMPILE_OPTIONS "${OpenMP_CXX_FLAGS}" SKIP_PRECOMPILE_HEADERS ON)
-    target_link_libraries(${target} PRIVATE $<LINK_ONLY:OpenMP::OpenMP_CXX>)
-  endif()
 endfunction()
 
-# gyro_library(NAME SOURCES ... [OPENMP sources that use OpenMP...] [PUBLIC libs...] [PRIVATE libs...])
+# gyro_library(NAME SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 function(gyro_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;OPENMP;PUBLIC;PRIVATE" ${ARGN})
-  add_library(${name} STATIC ${ARG_SOURCES} ${ARG_OPENMP})
-  gyro_precompile(${name} OPENMP ${ARG_OPENMP})
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  gyro_precompile(${name})
   target_link_libraries(${name} PUBLIC gyro_rules $<BUILD_INTERFACE:gyro_compile> ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
 

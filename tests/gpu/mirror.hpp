@@ -92,6 +92,7 @@ class Mirror {
   using Buffer = MirrorBuffer<T>;
 
   const PhaseTimer& timer() const { return timer_; }
+  ThreadTeam* host_team() const { return nullptr; }
 
   template <class Kernel>
   void for_each(const char*, Index n, const Kernel& kernel) {

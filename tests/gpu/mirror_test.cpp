@@ -20,7 +20,7 @@ Outcome on_mirror() {
 }  // namespace
 
 TEST_CASE("The host never touches device memory, and one lane gives the bits of packs", "[gpu]") {
-  // Packs of bonds against single bonds, forward against backward, OpenMP against one thread.
+  // Packs of bonds against single bonds, forward against backward, many threads against one.
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   const Outcome cpu = break_rocks(*make_cpu_dem(breaking_scene(), precision, 2));
   require_busy(cpu);

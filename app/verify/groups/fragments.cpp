@@ -6,11 +6,10 @@
 #include "app/verify/fixtures/scenes.hpp"
 #include "app/verify/fixtures/stage.hpp"
 #include "app/verify/verification.hpp"
+#include "core/base/thread_team.hpp"
 #include "core/fragments/product.hpp"
 #include "core/math/random.hpp"
 #include "core/state/fragment_labels.hpp"
-
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -45,8 +44,8 @@ Graph grid(Index side, double share) {
   return g;
 }
 
-void compare(Recorder& out, const std::string& name, const Graph& g) {
-  const std::vector<Index> got = fragment_labels(g.particles, g.i, g.j), exact = union_find(g);
+void compare(Recorder& out, const std::string& name, const Graph& g, ThreadTeam* team = nullptr) {
+  const std::vector<Index> got = fragment_labels(g.particles, g.i, g.j, team), exact = union_find(g);
   double wrong = 0;
   for (std::size_t k = 0; k < exact.size(); ++k) wrong += got[k] != exact[k];
   out.absolute(name + "-wrong-labels", wrong, 0, {0, 0}, arbiter);
@@ -87,12 +86,10 @@ void order_and_threads(Recorder& out) {
   for (const Index b : shuffled(static_cast<Index>(g.i.size())))
     other.join(g.j[static_cast<std::size_t>(b)], g.i[static_cast<std::size_t>(b)]);
   compare(out, "bonds-in-another-order", other);
-  const int before = omp_get_max_threads();
   for (const int threads : {1, 2, 3, 7}) {
-    omp_set_num_threads(threads);
-    compare(out, std::to_string(threads) + "-threads", g);
+    ThreadTeam team(threads);
+    compare(out, std::to_string(threads) + "-threads", g, &team);
   }
-  omp_set_num_threads(before);
 }
 
 /// A chain of 168 spheres with four weak bonds is stretched: these break at once and leave 1, 2, 5, 20 and 140 spheres.

@@ -8,7 +8,7 @@
 #include "tests/core/geometry/meshes.hpp"
 #include "tests/core/rocks/libraries.hpp"
 
-#include <omp.h>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -76,12 +76,8 @@ TEST_CASE("Plain density weighs what the spheres weigh") {
 }
 
 TEST_CASE("The library is the same for any number of threads") {
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
-  const RockLibrary one = make_library(small_recipe());
-  omp_set_num_threads(3);
-  const RockLibrary three = make_library(small_recipe());
-  omp_set_num_threads(threads);
+  const RockLibrary one = make_library(small_recipe(), 1);
+  const RockLibrary three = make_library(small_recipe(), 3);
   REQUIRE(one.rocks.size() == 5);
   REQUIRE(three.rocks.size() == 5);
   for (std::size_t k = 0; k < 5; ++k) CHECK(same_rock(one.rocks[k], three.rocks[k]));

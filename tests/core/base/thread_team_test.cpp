@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/catch.hpp"
 
-#include "core/exec/thread_team.hpp"
+#include "core/base/thread_team.hpp"
 
 #include <chrono>
 #include <numeric>
@@ -77,4 +77,25 @@ TEST_CASE("Threads that have fallen asleep serve the next job, and end with thei
 TEST_CASE("A team that never had a job ends", "[exec]") {
   for (int k = 0; k < 50; ++k) ThreadTeam(8);
   SUCCEED();
+}
+
+TEST_CASE("Jobs are taken once each, and the failure of the lowest is thrown after all are done") {
+  for (const int threads : {1, 2, 7}) {
+    ThreadTeam team(threads);
+    std::vector<std::atomic<int>> calls(100);
+    for_each_job(team, 100, [&](int k) { ++calls[static_cast<std::size_t>(k)]; });
+    for (const std::atomic<int>& count : calls) CHECK(count == 1);
+    try {
+      for_each_job(team, 100, [&](int k) {
+        ++calls[static_cast<std::size_t>(k)];
+        if (k % 10 == 3) throw k;
+      });
+      FAIL("nothing was thrown");
+    } catch (int k) {
+      CHECK(k == 3);
+    }
+    for (const std::atomic<int>& count : calls) CHECK(count == 2);
+    for_each_job(team, 0, [](int) { FAIL("there is no job"); });
+  }
+  CHECK(all_cores() >= 1);
 }

@@ -3,17 +3,20 @@
 
 #include "core/base/expect.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
 #include <thread>
 #include <vector>
 
 namespace gyro {
 
-/// Threads that wait for short jobs. A step of a small scene is four jobs of some 50 us, so that the wait
-/// between them decides: a thread looks for the next job for about 150 us, longer than a job that is too
-/// small to share, then sleeps. OpenMP's barriers either always sleep (waking up costs more than the job)
-/// or look for milliseconds, which made a run on a busy machine six times slower with two threads than
-/// with one.
+/// Threads that wait for short jobs: the only threads of the program. A step of a small scene is four jobs of some 50
+/// us, so that the wait between them decides: a thread looks for the next job for about 150 us, longer than a job that
+/// is too small to share, then sleeps. OpenMP's barriers either always sleep (waking up costs more than the job) or
+/// look for milliseconds, which made a run on a busy machine six times slower with two threads than with one.
 class ThreadTeam {
  public:
   /// @param threads  at least 1, the caller's among them
@@ -88,5 +91,31 @@ class ThreadTeam {
   void (*call_)(const void*, int) = nullptr;
   const void* work_ = nullptr;
 };
+
+/// Threads that this machine runs at the same time, at least 1.
+inline int all_cores() {
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// Calls work(k) once for each k in [0, count): a thread takes the next k when it is free, for long jobs of different
+/// lengths. After all are done, the failure of the lowest k is thrown, if there is any.
+template <class Work>
+void for_each_job(ThreadTeam& team, int count, const Work& work) {
+  std::atomic<int> next{0};
+  std::mutex mutex;
+  int failed = std::numeric_limits<int>::max();
+  std::exception_ptr failure;
+  team.run([&](int) {
+    for (int k; (k = next.fetch_add(1, std::memory_order_relaxed)) < count;) {
+      try {
+        work(k);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (k < failed) failed = k, failure = std::current_exception();
+      }
+    }
+  });
+  if (failure) std::rethrow_exception(failure);
+}
 
 }  // namespace gyro
