@@ -55,26 +55,28 @@ std::string Ledger::passed_limit() const {
   std::ostringstream why;
   why.precision(4);
   if (!x.finite) {
-    why << "particle " << x.culprit << " has a position or velocity that is not finite";
+    why << "particle " << x.culprit << " has a position or velocity that is not finite; reduce time.safety, or check the start state around it";
   } else if (x.overlap_ratio > maximum.overlap_ratio) {
     why << "a contact of particle " << x.culprit << " with ";
     if (x.wall == none)
       why << "particle " << x.partner;
     else
       why << wall_name(x.wall);
-    why << " overlaps by " << x.overlap_ratio << " of the radius; at most " << maximum.overlap_ratio;
+    why << " overlaps by " << x.overlap_ratio << " of the radius; at most " << maximum.overlap_ratio
+        << ". The material is too soft for this load: raise its shear_modulus, or reduce speeds";
   } else if (x.speed_ratio > maximum.speed_ratio) {
     why << "particle " << x.fastest << " moves by " << x.speed_ratio << " of its radius in a step; at most "
-        << maximum.speed_ratio;
+        << maximum.speed_ratio << ". Reduce time.safety, or its speed";
   } else if (x.wall_step > maximum.speed_ratio) {
     why << wall_name(x.fast_wall) << " moves by " << x.wall_step << " of the smallest radius in a step; at most "
-        << maximum.speed_ratio;
+        << maximum.speed_ratio << ". Reduce time.safety, or the speed of the wall";
   } else if (x.rotation > maximum.rotation) {
-    why << "particle " << x.fastest_rotating << " turns by " << x.rotation << " rad in a step; at most "
-        << maximum.rotation;
+    why << "particle " << x.fastest_rotating << " rotates by " << x.rotation << " rad in a step; at most "
+        << maximum.rotation << ". Reduce time.safety, or its angular velocity";
   } else if (x.bond_rotation > maximum.bond_rotation) {
-    why << "a bond of particle " << x.twisted << " is turned by " << x.bond_rotation << " rad without failing; at most "
-        << maximum.bond_rotation;
+    why << "a bond of particle " << x.twisted << " is bent by " << x.bond_rotation << " rad without failing; at most "
+        << maximum.bond_rotation << ". The bonds are too soft for their strength: raise their stiffness, or lower their "
+        << "strength";
   }
   return why.str();
 }
@@ -94,7 +96,7 @@ std::optional<std::string> Ledger::verdict(double time) const {
     if (std::abs(state_.energy.residual()) <= limits_.energy_fraction * scale() + lag) return {};
     why << "the energy balance is off by " << state_.energy.residual() << " J, " << 100 * residual_fraction()
         << " % of the " << (work() < state_.largest_state ? "largest energy seen" : "work done") << "; at most "
-        << 100 * limits_.energy_fraction << " %";
+        << 100 * limits_.energy_fraction << " %. Reduce time.safety to see whether the step is the cause";
   }
   return stopped_at(time, why.str());
 }

@@ -111,7 +111,7 @@ TEST_CASE("The guard names the particle and the limit") {
   CHECK_THAT(reason(deep), Contains("with wall floor"));
   CHECK_THAT(reason({.finite = false}), Contains("not finite"));
   CHECK_THAT(reason({.speed_ratio = 0.3, .fastest = 18}), Contains("particle 18 moves by 0.3"));
-  CHECK_THAT(reason({.rotation = 0.2, .fastest_rotating = 19}), Contains("particle 19 turns by 0.2"));
+  CHECK_THAT(reason({.rotation = 0.2, .fastest_rotating = 19}), Contains("particle 19 rotates by 0.2"));
   CHECK_THAT(reason({.bond_rotation = 0.6, .twisted = 20}), Contains("bond of particle 20"));
   CHECK_THAT(reason({.wall_step = 0.3, .fast_wall = 1}), Contains("wall belt moves by 0.3"));
 }
