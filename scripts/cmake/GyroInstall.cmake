@@ -46,7 +46,7 @@ install(PROGRAMS $<TARGET_FILE:gyrosim-complete> DESTINATION ${CMAKE_INSTALL_BIN
 install(TARGETS gyro_drivetrain_fmu LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/gyrosim)
 install(DIRECTORY cases DESTINATION ${data})
 install(PROGRAMS scripts/plot.py scripts/render.py scripts/laboratory.py scripts/paper_library.py DESTINATION ${data}/scripts)
-install(FILES scripts/render_actors.py DESTINATION ${data}/scripts)
+install(FILES scripts/errors.py scripts/render_actors.py DESTINATION ${data}/scripts)
 install(DIRECTORY scripts/plotting DESTINATION ${data}/scripts FILES_MATCHING PATTERN "*.py")
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${PROJECT_BINARY_DIR}/pages/gyrosim.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
