@@ -3,7 +3,7 @@
 """Draws pictures of runs and benchmarks, all in one style.
 
 Usage:
-  plot.py series RUNDIR                        speed, power, broken bonds, discharged mass over time
+  plot.py series RUNDIR                        speed, power, broken bonds, masses over time
   plot.py curves RUNDIR [--from SECONDS]       size curves of feed, chamber and product, P80, side settings
   plot.py wear RUNDIR [--from SECONDS]         wear of the liners in mm per 1000 h, unrolled
   plot.py machine RUNDIR [--from SECONDS]      torque over angle, radial force, maps of the liners
@@ -16,14 +16,12 @@ python3-h5py and python3-yaml. A run that goes on or was killed can be drawn as 
 """
 import argparse
 import importlib
+import sys
 
 from errors import fail, need
 
-need("numpy", "matplotlib", "h5py", "yaml")
-from plotting import style  # noqa: E402  (after the check)
-
 COMMANDS = {
-    "series": "speed, power, broken bonds and discharged mass of a run over time",
+    "series": "speed, power, broken bonds and masses of a run over time",
     "curves": "size curves of feed, chamber and product, with P80 and side settings",
     "wear": "wear of the liners in mm per 1000 h, unrolled",
     "machine": "torque over angle, radial force and maps of the liners of a run",
@@ -34,6 +32,11 @@ COMMANDS = {
 
 
 def main():
+    if sys.argv[1:2] in (["-h"], ["--help"]):  # also before the packages are installed
+        print(__doc__)
+        return
+    need("numpy", "matplotlib", "h5py", "yaml")
+    from plotting import style
     parser = argparse.ArgumentParser(description="Draws pictures of runs and benchmarks.")
     commands = parser.add_subparsers(dest="command", required=True)
     modules = {name: importlib.import_module(f"plotting.{name}") for name in COMMANDS}

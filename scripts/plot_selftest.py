@@ -63,7 +63,8 @@ class Plot(unittest.TestCase):
                 file[f"series/{column}"] = time if column == "time" else 3e3 * np.sin((number + 1) * 100 * time)
                 file[f"series/{column}"].attrs["units"] = units
             file["series/mantle_force"] = np.stack([np.cos(time), np.sin(time), time], axis=1)[:-1]  # a row is being written
-            file.create_group("case").attrs["resolved_yaml"] = CASE.format(sizes=sizes, wear=wear)
+            case = file.create_group("case").attrs
+            case["title"], case["resolved_yaml"] = "Made up", CASE.format(sizes=sizes, wear=wear)
             for group, masses in (("product", [0, 1, 4]), ("holdup", [6, 5, 2])):
                 file[f"{group}/time"], file[f"{group}/mass"] = [0.001, 0.02, 0.04], masses
                 file[f"{group}/sizes"] = [0.004, 0.008, 0.016, 0.032, 0.064]
@@ -73,8 +74,7 @@ class Plot(unittest.TestCase):
             file["liners/mantle/area"] = np.append(np.full(8, 0.01), np.zeros(8))  # the upper row has no surface
             file["liners/mantle/pressure"] = np.ones((2, 16))
             file["liners/mantle/work"] = [[2.0] * 4 + [0.0] * 12, [3.0] * 4 + [0.0] * 12]
-        (run / "summary.json").write_text(json.dumps({"title": "Made up", "steady": steady,
-                                                      "drive_events": [{"time": 0.02, "event": "stalled"}]}))
+        (run / "summary.json").write_text(json.dumps({"steady": steady, "drive_events": [{"time": 0.02, "event": "stalled"}]}))
         return run
 
     def plot(self, *arguments):
@@ -101,8 +101,12 @@ class Plot(unittest.TestCase):
 class Runs(Plot):
     def test_machine_and_drives(self):
         run = self.write_run("a")
-        self.assert_draws("machine", run)
-        self.assert_draws("machine", run, "--from", "0.03")
+        axes = {axis.get_title(): axis for axis in self.drawn("machine", run)}
+        work = axes["mantle: sliding work, at most 5"].collections[0]
+        self.assertEqual(list(work.get_array()[:5]), [5, 5, 5, 5, 0])
+        self.assertEqual(axes["mantle: mean pressure, at most 1"].get_ylabel(), "height [m]")
+        titles = [axis.get_title() for axis in self.drawn("machine", run, "--from", "0.03")]
+        self.assertIn("mantle: sliding work, at most 0", titles)
         self.assert_draws("drives", run, self.write_run("b"), "--smooth", "0.01")
 
     def test_series(self):
@@ -110,7 +114,7 @@ class Runs(Plot):
         self.assertEqual([axis.get_ylabel().replace("\n", " ") for axis in axes],
                          ["eccentric speed [rpm]", "crushing power [kW]", "broken bonds", "chamber mass [kg]",
                           "discharged mass [kg]"])
-        self.assertEqual(axes[-1].get_xlabel(), "time [s]")
+        self.assertEqual((axes[0].get_title(), axes[-1].get_xlabel()), ("Made up", "time [s]"))
         for axis in axes:
             shaded = axis.patches[0].get_xy()
             self.assertAlmostEqual(min(x for x, _ in shaded), 0.03)

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator
 
 from plotting.case import feed_curve, read_case, settings
-from plotting.run_data import open_results, read_summary
+from plotting.run_data import open_results, read_title
 from plotting.style import COLOURS, WIDTH, PlotError, plt, save
 
 MARGIN = 1.3  # of the axis of sizes beyond the curves
@@ -117,7 +117,7 @@ def draw(arguments):
     axis.xaxis.set_major_locator(LogLocator(subs=DECADE))
     axis.xaxis.set_major_formatter(FuncFormatter("{:g}".format))
     axis.xaxis.set_minor_formatter("")
-    title = read_summary(arguments.run).get("title") or arguments.run.name
+    title = read_title(arguments.run)
     since = f", product since {arguments.begin:g} s" if arguments.begin > 0 else ""
     axis.set_title(f"{title}: size curves at {time:.3f} s{since}", pad=20)  # above the names of the settings
     axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.11), ncol=len(curves), handlelength=1.5, columnspacing=1.5)

@@ -4,7 +4,7 @@ that the scene does not have are left out. Where summary.json says that the run 
 mean power since then."""
 from pathlib import Path
 
-from plotting.run_data import Column, open_results, read_series, read_summary
+from plotting.run_data import Column, open_results, read_series, read_summary, read_title
 from plotting.style import MAIN, REFERENCE, STEADY, WIDTH, PlotError, label, plt, save, shown_units
 
 BROKEN = ("bonds_broken_tension", "bonds_broken_shear")
@@ -59,6 +59,6 @@ def draw(arguments):
     if summary.get("steady"):
         draw_steady(axes, summary["steady"], time, panels, factors)
     axes[-1].set_xlabel("time [s]")
-    axes[0].set_title(summary.get("title") or arguments.run.name)
+    axes[0].set_title(read_title(arguments.run))
     figure.align_ylabels()
     save(figure, arguments.out or arguments.run / "series.png")

@@ -12,7 +12,6 @@ MAIN, REFERENCE = COLOURS[0], COLOURS[2]  # what was computed here, and what it 
 FAINT = "#b8c4cc"
 BAND = "#cccccc"
 STEADY = "#e6eedf"  # behind what is steady
-MAP = "cividis"
 WIDTH = 8  # of a picture with one column of panels [inch]
 
 STYLE = {

@@ -11,14 +11,12 @@ from pathlib import Path
 import numpy as np
 
 from plotting.case import friction, read_case
-from plotting.run_data import open_results, read_summary
+from plotting.maps import draw_map, end_of_scale
+from plotting.run_data import open_results, read_title
 from plotting.style import MAIN, PlotError, plt, save
 
 UNITS = "mm per 1000 h"
 PER_METRE_A_SECOND = 1e3 * 1000 * 3600  # mm per 1000 h
-COLOURS_OF_WEAR = "YlOrBr"
-SHOWN = 0.98  # share of the worn cells that the colour scale tells apart
-NO_SURFACE = "#dddddd"
 
 
 def add_arguments(parser):
@@ -75,21 +73,6 @@ def read(run, begin, coefficient):
                 for wall, group in sorted(file["liners"].items())}
 
 
-def end_of_scale(maps):
-    """Colour of the most worn cells: few cells wear far more than the others, and would leave all of them pale."""
-    worn = np.concatenate([part.rate[part.rate > 0] for part in maps])
-    return float(np.quantile(worn, SHOWN)) if worn.size else 1.0
-
-
-def draw_map(figure, axis, wall, worn, highest):
-    mesh = axis.pcolormesh(np.degrees(worn.azimuths), worn.heights, worn.rate, cmap=COLOURS_OF_WEAR, vmin=0, vmax=highest)
-    largest = np.nanmax(worn.rate)
-    figure.colorbar(mesh, ax=axis, extend="max" if largest > highest else "neither")
-    axis.set(xlabel="azimuth [deg]", ylabel="height [m]", xticks=range(0, 361, 45), facecolor=NO_SURFACE,
-             title=f"{wall}: wear [{UNITS}], at most {largest:.3g}")
-    axis.grid(False)
-
-
 def draw_profile(axis, worn):
     values = worn.mean_by_height()
     axis.stairs(np.nan_to_num(values), worn.heights, orientation="horizontal", fill=True, color=MAIN)
@@ -100,11 +83,11 @@ def draw(arguments):
     maps = read(arguments.run, arguments.begin, arguments.coefficient)
     figure, axes = plt.subplots(len(maps), 2, figsize=(10, 3.4 * len(maps) + 0.4), squeeze=False, sharey="row",
                                 gridspec_kw={"width_ratios": (3, 1)})
-    highest = arguments.max or end_of_scale(maps.values())
+    end = arguments.max or end_of_scale(*(worn.rate for worn in maps.values()))
     for (left, right), (wall, worn) in zip(axes, maps.items()):
-        draw_map(figure, left, wall, worn, highest)
+        draw_map(figure, left, f"{wall}: wear", UNITS, worn.heights, worn.azimuths, worn.rate, end)
         draw_profile(right, worn)
-    title = read_summary(arguments.run).get("title") or arguments.run.name
+    title = read_title(arguments.run)
     span = next(iter(maps.values()))
     figure.suptitle(f"{title}: wear of the liners at the mean rate from {span.begin:.3g} to {span.end:.3g} s", fontsize=11)
     save(figure, arguments.out or arguments.run / "wear.png")
