@@ -156,6 +156,16 @@ class Curves(Plot):
         np.testing.assert_allclose(found["product"][1], [0, 0, 60, 260 / 3, 100], atol=1e-12)  # (4 x after - 1 x before) / 3
         self.assertIn("product (3 kg)", legend)
 
+    def test_rock_beyond_the_sieves(self):
+        import h5py
+        run = self.write_run("a")
+        with h5py.File(run / "results.h5", "r+") as file:
+            file["holdup/passing"][-1] = [0, 0, 0, 0, 0.5]
+            file["product/passing"][-1] = 0
+        legend = self.curves(run)[1]
+        self.assertIn("chamber (2 kg): P80 beyond the sieves", legend)
+        self.assertIn("product (4 kg): P80 beyond the sieves", legend)
+
     def test_laws_of_the_feed(self):
         sieves = self.folder / "sieves.csv"
         sieves.write_text("size_mm,passing_percent\n10,0\n20,40\n40,100\n")

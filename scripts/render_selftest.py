@@ -126,8 +126,15 @@ class Loads(unittest.TestCase):
         values = np.zeros(2 * SECTORS)
         values[3] = 8
         corners = walls.triangles(liner(0, 1, 1, 1))
-        means = walls.over_cells(corners, lambda area: values * area)
+        means = walls.over_cells(corners, values * walls.areas(corners))
         self.assertAlmostEqual(means.sum(), 8)  # the triangles have the same area
+
+    def test_a_plate_has_its_own_values(self):
+        points = [[x, y, 0] for y in (0, 0.5) for x in (1, 2, 3)]  # four triangles of 0.25 m2, to one side of the axis
+        data = poly_data(points, [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]], cell_fields={
+            "wall": np.zeros(4, np.int32), "sliding_work": [1.0, 2, 3, 4], "pressure": [5.0, 6, 7, 8]})
+        self.assertEqual(list(walls.loads_of(data, "sliding_work", TIME)), [4, 8, 12, 16])
+        self.assertEqual(list(walls.loads_of(data, "pressure", TIME)), [5, 6, 7, 8])
 
     def test_scales(self):
         self.assertEqual([end_of_scale(np.array([x]), 1) for x in (0.0, 1.05, 2.4, 7e5, 9.5)], [1, 1.2, 2.4, 8e5, 10])

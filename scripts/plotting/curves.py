@@ -80,15 +80,15 @@ def read(run, begin):
 
 def limits(curves):
     """(smallest, largest) size of the axis: where the curves rise from 0 to 1."""
-    low = min(c.sizes[max(0, np.flatnonzero(c.passing > 0)[0] - 1)] for c in curves)
-    high = max(c.sizes[np.flatnonzero(c.passing >= 1 - 1e-9)[0]] for c in curves)
+    low = min(c.sizes[max(0, np.count_nonzero(c.passing <= 0) - 1)] for c in curves)
+    high = max(c.sizes[min(len(c.sizes) - 1, np.count_nonzero(c.passing < 1 - 1e-9))] for c in curves)
     return low, high
 
 
 def draw_curve(axis, name, curve):
     mass = "case" if curve.mass is None else f"{curve.mass:.3g} kg"
-    axis.plot(1e3 * curve.sizes, 100 * curve.passing, color=COLOUR[name],
-              label=f"{name} ({mass}): P80 = {1e3 * curve.p80:.3g} mm")
+    p80 = f"P80 = {1e3 * curve.p80:.3g} mm" if np.isfinite(curve.p80) else "P80 beyond the sieves"
+    axis.plot(1e3 * curve.sizes, 100 * curve.passing, color=COLOUR[name], label=f"{name} ({mass}): {p80}")
     axis.plot([1e3 * curve.p80] * 2, [0, 80], ":", color=COLOUR[name], linewidth=1)
     axis.plot([1e3 * curve.p80], [80], "o", color=COLOUR[name], markersize=6)
 

@@ -66,7 +66,7 @@ def scale_of(low, high, stops=VIRIDIS):
 
 
 def legend(table, title, height, place, places):
-    """A colour bar at the right edge. @param height of the picture; the bar is number `place` of `places` from above"""
+    """A colour bar at the right edge. @param height of the picture [pixels] if it were 4:3; the bar is number `place` of `places` from above"""
     room = 0.9 / places
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)

@@ -88,7 +88,7 @@ class Picture:
         given, scene = self.arguments, self.scene
         width, height = stage.OVERSAMPLING * given.width, stage.OVERSAMPLING * given.height
         annotations = [stage.title_actor(self.title, width, height)]
-        annotations += [legend(*scale, height, number, len(self.scales)) for number, scale in enumerate(self.scales)]
+        annotations += [legend(*scale, min(height, 3 * width // 4), number, len(self.scales)) for number, scale in enumerate(self.scales)]
         frame = Frame(top=TITLE_EDGE, right=LEGEND_EDGE if self.scales else 0.95)
         placed = place(scene.points, given.azimuth, given.elevation, width / height, frame, given.zoom)
         stage.write_image(stage.draw(self.actors, annotations, width, height, placed, scene.length), path)

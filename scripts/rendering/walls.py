@@ -77,18 +77,23 @@ def triangles(wall):
     return positions(wall)[vtk_to_numpy(wall.GetPolys().GetConnectivityArray()).reshape(-1, 3)].astype(float)
 
 
+def areas(corners):
+    """Of triangles [m2]."""
+    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+
+
 def over_cells(corners, amounts):
     """Amounts of the triangles of a liner by area, as means over cells of its unrolled surface.
 
     The triangles are much smaller than rocks: each has been hit a few times or never, and their own values are specks.
     """
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    area = areas(corners)
     middle = corners.mean(axis=1)
     low, high = middle[:, 2].min(), middle[:, 2].max()
     row = np.minimum((ROWS * (middle[:, 2] - low) / ((high - low) or 1)).astype(int), ROWS - 1)
     cell = row * SECTORS + (SECTORS * azimuths(middle)).astype(int) % SECTORS
-    sums, areas = (np.bincount(cell, numbers, ROWS * SECTORS) for numbers in (amounts(area), area))
-    return (sums / np.where(areas > 0, areas, np.nan))[cell]
+    loads, surface = (np.bincount(cell, numbers, ROWS * SECTORS) for numbers in (amounts, area))
+    return (loads / np.where(surface > 0, surface, np.nan))[cell]
 
 
 def at_points(wall, values):
@@ -100,10 +105,10 @@ def at_points(wall, values):
 
 def loads_of(wall, name, time):
     """Pressure [Pa], sliding work by area [J/m2] or wear [mm per 1000 h] at each triangle; NaN of planes."""
-    values = cell_field(wall, name).astype(float)
-    if not is_liner(wall):
-        return values if name == "pressure" else np.full(len(values), np.nan)
-    means = over_cells(triangles(wall), lambda area: values if name == "sliding_work" else values * area)
+    values, corners = cell_field(wall, name).astype(float), triangles(wall)
+    area = areas(corners)
+    amounts = values if name == "sliding_work" else values * area
+    means = over_cells(corners, amounts) if is_liner(wall) else amounts / np.where(area > 0, area, np.nan)
     return means * (MM_PER_1000_H / time if time > 0 else 0) if name == "wear" else means
 
 
