@@ -10,11 +10,14 @@ Usage: kernel_report.py [--arch 80,90] [--nvcc PATH] [--all]
 """
 import argparse
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+from errors import fail, need_programs
 
 ROOT = Path(__file__).resolve().parent.parent
 FLAGS = ["-std=c++20", "-O3", "-DNDEBUG", "--fmad=false", "-Xcompiler=-ffp-contract=off"]
@@ -56,6 +59,9 @@ def main():
     arguments.add_argument("--nvcc", default="nvcc")
     arguments.add_argument("--all", action="store_true")
     options = arguments.parse_args()
+    if options.nvcc != "nvcc" and not shutil.which(options.nvcc):
+        fail(f"--nvcc {options.nvcc} is no program; name CUDA's compiler, often /usr/local/cuda/bin/nvcc")
+    need_programs(*(["nvcc"] if options.nvcc == "nvcc" else []), "c++filt", otherwise=", or give --nvcc PATH")
     archs = options.arch.split(",")
     with ThreadPoolExecutor(2) as pool:
         reports = list(pool.map(lambda arch: compiled(options.nvcc, arch), archs))

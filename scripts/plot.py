@@ -3,26 +3,27 @@
 """Draws pictures of runs and benchmarks, all in one style.
 
 Usage:
-  plot.py series RUNDIR                        speed, power, broken bonds, discharged mass over time
+  plot.py series RUNDIR                        speed, power, broken bonds, masses over time
+  plot.py curves RUNDIR [--from SECONDS]       size curves of feed, chamber and product, P80, side settings
+  plot.py wear RUNDIR [--from SECONDS]         wear of the liners in mm per 1000 h, unrolled
   plot.py machine RUNDIR [--from SECONDS]      torque over angle, radial force, maps of the liners
   plot.py drives RUNDIR... [--smooth SECONDS]  speed and power of several runs
   plot.py accuracy BENCH.json                  work against error
   plot.py library LIBRARY.json                 particles and bonds of rock libraries
 
 --out FILE.png (or .svg, .pdf) names the picture; `plot.py COMMAND --help` has all options. Needs python3-matplotlib,
-and python3-h5py to read runs.
+python3-h5py and python3-yaml. A run that goes on or was killed can be drawn as far as it got.
 """
 import argparse
 import importlib
 import sys
 
-try:
-    from plotting import style
-except ModuleNotFoundError as missing:
-    sys.exit(f"plot.py: Python has no {missing.name}; install python3-{missing.name} and use /usr/bin/python3")
+from errors import fail, need
 
 COMMANDS = {
-    "series": "speed, power, broken bonds and discharged mass of a run over time",
+    "series": "speed, power, broken bonds and masses of a run over time",
+    "curves": "size curves of feed, chamber and product, with P80 and side settings",
+    "wear": "wear of the liners in mm per 1000 h, unrolled",
     "machine": "torque over angle, radial force and maps of the liners of a run",
     "drives": "speed and power of several runs over time",
     "accuracy": "work against error of a benchmark",
@@ -31,6 +32,11 @@ COMMANDS = {
 
 
 def main():
+    if sys.argv[1:2] in (["-h"], ["--help"]):  # also before the packages are installed
+        print(__doc__)
+        return
+    need("numpy", "matplotlib", "h5py", "yaml")
+    from plotting import style
     parser = argparse.ArgumentParser(description="Draws pictures of runs and benchmarks.")
     commands = parser.add_subparsers(dest="command", required=True)
     modules = {name: importlib.import_module(f"plotting.{name}") for name in COMMANDS}
@@ -41,7 +47,7 @@ def main():
     try:
         modules[arguments.command].draw(arguments)
     except style.PlotError as error:
-        sys.exit(f"plot.py {arguments.command}: {error}")
+        fail(f"{arguments.command}: {error}")
 
 
 if __name__ == "__main__":

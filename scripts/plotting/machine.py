@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from plotting.run_data import open_results, read_series
-from plotting.style import FAINT, MAIN, MAP, PlotError, label, plt, save, shown_units
+from plotting.maps import draw_map, end_of_scale
+from plotting.run_data import open_results, read_series, read_title
+from plotting.style import FAINT, MAIN, PlotError, label, plt, save, shown_units
 
 BINS = 72
 NAMES = ("time", "eccentric_angle", "mantle_torque", "mantle_force")
@@ -70,23 +71,22 @@ def draw_polar(axis, force, angle, units):
     axis.set_title(label("radial force", units) + " seen from the closed side")
 
 
-def draw_map(figure, axis, title, units, heights, azimuths, values):
-    units, factor = shown_units(units, abs(values).max())
-    mesh = axis.pcolormesh(np.degrees(azimuths), heights, factor * values, cmap=MAP, shading="flat")
-    figure.colorbar(mesh, ax=axis)
-    axis.set(xlabel="azimuth [deg]", ylabel="height [m]", xticks=range(0, 361, 90), title=label(title, units))
-    axis.grid(False)
+def draw_load(figure, axis, title, units, heights, azimuths, values):
+    units, factor = shown_units(units, end_of_scale(values))
+    draw_map(figure, axis, title, units, heights, azimuths, factor * values)
 
 
 def draw(arguments):
     series, maps = read(arguments.run, arguments.begin)
     rows = 1 + (len(maps) + 1) // 2
-    figure = plt.figure(figsize=(10, 3.6 * rows))
+    figure = plt.figure(figsize=(11, 3.6 * rows))
+    title = read_title(arguments.run)
+    figure.suptitle(f"{title}: loads from {arguments.begin:.3g} to {series['time'].values[-1]:.3g} s", fontsize=11)
     angle, torque, force = (series[name] for name in NAMES[1:])
     units, factor = shown_units(torque.units, abs(torque.values).max())
     draw_by_angle(figure.add_subplot(rows, 2, 1), angle.values, factor * torque.values, units)
     units, factor = shown_units(force.units, abs(force.values).max())
     draw_polar(figure.add_subplot(rows, 2, 2, projection="polar"), factor * force.values, angle.values, units)
     for number, part in enumerate(maps):
-        draw_map(figure, figure.add_subplot(rows, 2, 3 + number), *part)
+        draw_load(figure, figure.add_subplot(rows, 2, 3 + number), *part)
     save(figure, arguments.out or arguments.run / "machine.png")

@@ -47,6 +47,13 @@ def read_summary(run):
         return {}
 
 
+def read_title(run):
+    """Title of the case, which a run has from its start; else the name of the directory."""
+    with open_results(run) as file:
+        title = file["case"].attrs.get("title") if "case" in file else ""
+    return title or run.name
+
+
 def mean_over(time, values, span):
     """Means over whole spans of `span` seconds, and the middles of the spans."""
     rows = max(1, round(span / np.median(np.diff(time))))

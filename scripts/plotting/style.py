@@ -11,7 +11,7 @@ COLOURS = ["#3f5d73", "#c98a2b", "#a33b3b", "#5c7a4f", "#7a5c8a", "#4a8f9c"]
 MAIN, REFERENCE = COLOURS[0], COLOURS[2]  # what was computed here, and what it is compared with
 FAINT = "#b8c4cc"
 BAND = "#cccccc"
-MAP = "cividis"
+STEADY = "#e6eedf"  # behind what is steady
 WIDTH = 8  # of a picture with one column of panels [inch]
 
 STYLE = {

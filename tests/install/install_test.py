@@ -54,7 +54,7 @@ class Program(Installed):
         self.assertIn("restitution/", run(self.gyrosim, "verify", "--filter", "^restitution/"))
 
     def test_scripts(self):
-        for script in ("laboratory.py", "plot.py"):
+        for script in ("laboratory.py", "plot.py", "render.py"):
             run("/usr/bin/python3", self.prefix / "share/gyrosim/scripts" / script, "--help")
 
 
