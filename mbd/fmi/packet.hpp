@@ -10,7 +10,7 @@
 
 namespace gyro {
 
-/// Bytes that two processes of this program exchange: values, texts and lists one behind the other.
+/// Message between two processes of this program: a sequence of values and lists, read in the order of writing.
 class Packet {
  public:
   Packet() = default;
@@ -31,7 +31,7 @@ class Packet {
     return *this;
   }
 
-  /// @throws std::out_of_range when fewer bytes are left
+  /// The next value. @throws std::out_of_range if too few bytes are left
   template <class T>
   T get() {
     static_assert(std::is_trivially_copyable_v<T>);

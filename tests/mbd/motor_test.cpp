@@ -149,8 +149,7 @@ TEST_CASE("Each motor law has its own name and parameters", "[mbd][motor]") {
     CHECK_FALSE(keys.empty());
     for (const std::string& key : keys) CHECK(std::ranges::count(keys, key) == 1);
   }
-  CHECK_THROWS_WITH(motor_of_model("steam"),
-                    Catch::Matchers::StartsWith("there is no motor model `steam`; the models"));
+  CHECK_THROWS_WITH(motor_of_model("steam"), Catch::Matchers::StartsWith("unknown motor model `steam`; use one of"));
 }
 
 TEST_CASE("Torques go with the voltage squared, a droop line is shifted", "[mbd][motor]") {
