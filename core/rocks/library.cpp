@@ -94,7 +94,7 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
   return rock;
 }
 
-/// Calls work(k) for k = count - 1, ..., 0 on all threads: the largest rocks first, so that no thread ends with one.
+/// Calls work(k) for k = count - 1, ..., 0 on all threads: the largest rocks first, so that the threads end together.
 template <class Work>
 void for_each_downwards(int count, const Work& work) {
   std::exception_ptr failure;
@@ -110,7 +110,7 @@ void for_each_downwards(int count, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Makes the packings that the rocks will be cut from, so that no two rocks wait for the same one.
+/// Makes the packings in parallel before rocks are cut from them, so that no rock waits for a packing.
 void make_packings(const RangeFill& range, const std::vector<double>& diameters) {
   std::set<Grading> gradings;
   for (const double diameter : diameters) gradings.insert(grading_of(range, diameter));
@@ -142,7 +142,7 @@ RockLibrary make_library(const LibraryRecipe& recipe) {
 }
 
 double cylinder_diameter(const CylinderSpecimen& specimen, double sphere) {
-  // The flats cut two segments off the circle: section D^2/4 (pi - a + sin a), length slenderness D.
+  // The flats remove two segments of the circle: section D^2/4 (pi - a + sin a), length slenderness D.
   const double angle = specimen.loading_angle;
   const double kept = 1 - (angle - std::sin(angle)) / std::numbers::pi;
   return sphere * std::cbrt(2 / (3 * specimen.slenderness * kept));
