@@ -65,7 +65,7 @@ TEST_CASE("H36 after 1e9 steps time is still steps times dt", "[hard]") {
   const Window late{first, 100, dt};
   CHECK(late.begin() == static_cast<double>(first) * dt);
   CHECK(late.end() - late.begin() == Approx(100 * dt).epsilon(1e-7));
-  // A moving plate and bonds that break: both take the time from the count of steps alone.
+  // A moving plate and bonds that break: both compute the time only from the count of steps.
   Scene scene = plain_scene(dt);
   scene.bonds = paper_bonds();
   scene.walls = {{"plate", PlaneShape{{0, 0, 0}, {0, 0, 1}}, LinearMotion{{0, 0, 1e-6}}, 1}};
