@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bond law as mechanics: loads from energy, momentum, frames.
+// Mechanics of the bond law: loads from energy, momentum, frames.
 #include "tests/catch.hpp"
 #include "tests/core/laws/bonds.hpp"
 

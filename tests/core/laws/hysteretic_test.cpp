@@ -92,7 +92,7 @@ TEST_CASE("Hysteretic loading equals Hertz's force at an overlap of a tenth of R
   CHECK(press.force == Approx(4.0 / 3 * youngs * std::sqrt(radius) * std::pow(overlap, 1.5)).epsilon(1e-12));
 }
 
-TEST_CASE("Hysteresis loses what is put in and not stored, and never gives energy", "[laws][contact]") {
+TEST_CASE("Hysteresis dissipates the work that is not stored, and never adds energy", "[laws][contact]") {
   const double e = GENERATE(0.2, 0.5, 0.9, 1.0);
   Press press{law_with(e, 1e-6)};
   double from = 0;
@@ -118,7 +118,7 @@ TEST_CASE("A hysteretic impact rebounds with the restitution at any speed", "[la
   CHECK(rebound(e, speed) == Approx(e).epsilon(2e-3));
 }
 
-TEST_CASE("The limit of the step knows the unloading spring", "[laws][contact]") {
+TEST_CASE("The limit of the step accounts for the unloading spring", "[laws][contact]") {
   const ContactStiffness s =
       contact_stiffness({NormalModel::hysteretic, RollingModel::off}, law_with(0.2, 1e-6), radius, 1e-4);
   CHECK(s.normal == Approx(25 * k1));
