@@ -14,7 +14,7 @@
 namespace gyro {
 
 /// All motor laws: quasi-static torque at the motor shaft against the shaft's speed. A positive torque drives forward;
-/// a negative one brakes a motor that turns forward (generator). Electrical transients (some 10 ms) are left out.
+/// a negative one brakes a motor that turns forward (generator). Electrical transients (about 10 ms) are left out.
 ///
 /// A law is a struct in mbd/motors with
 ///

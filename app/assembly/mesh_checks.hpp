@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// What a mesh file cannot say: its unit, its frame, its place. Meshes are in metres, z upwards along the machine's
+// Checks of what mesh files do not contain: unit, frame, position. Meshes are in metres, z upwards along the machine's
 // axis.
 
 namespace gyro {

@@ -13,6 +13,7 @@ namespace gyro {
 /// power of two of the radius.
 class Bed {
  public:
+  /// @param centre, radius  [m]
   void add(const Vec3d& centre, double radius);
   std::size_t size() const { return spheres_.size(); }
 

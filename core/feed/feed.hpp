@@ -19,9 +19,9 @@ using BondStrength = std::function<double(RockId rock, ParticleId i, ParticleId 
 
 /// One rock at a given position, at rest at t = 0.
 struct FixedRock {
-  Index rock;  ///< in the library
-  Vec3d position;
-  Quatd orientation{1, 0, 0, 0};
+  Index rock;                     ///< number in the library
+  Vec3d position;                 ///< of the centre of mass [m]
+  Quatd orientation{1, 0, 0, 0};  ///< from the frame of the template to the world
 };
 
 /// Masses, regions and times of the feed. All rocks start at rest.

@@ -14,10 +14,10 @@
 
 namespace gyro {
 
-/// Position and orientation of a rock's centre of mass.
+/// Pose of a rock that is placed.
 struct RockPose {
-  Vec3d position;
-  Quatd orientation;
+  Vec3d position;     ///< of the centre of mass [m]
+  Quatd orientation;  ///< from the frame of the template to the world
 };
 
 /// Unit quaternion, uniform over all rotations (Shoemake 1992, Graphics Gems III).
@@ -27,6 +27,8 @@ Quatd uniform_orientation(double u, double v, double w);
 /// The walls with their distances, for the placement of rocks; made once.
 class WallSet {
  public:
+  /// @param largest_radius  of any particle [m]
+  /// @param gap             minimum distance of spheres and walls [m]
   WallSet(std::span<const Wall> walls, double largest_radius, double gap);
 
   /// Moves the walls to these poses, one per wall.
@@ -81,6 +83,7 @@ struct Search {
 /// Finds positions for rocks between spheres, walls and a region's bounds.
 class Placement {
  public:
+  /// @param gap  minimum distance of spheres and walls [m]; the other arguments must outlive the placement
   Placement(const FeedRegion& region, const WallSet& walls, const Bed& bed, double gap)
       : region_(region), walls_(walls), bed_(bed), gap_(gap) {}
 

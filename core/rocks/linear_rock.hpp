@@ -15,6 +15,7 @@ struct LinearRock {
   Eigen::VectorXd inverse_root_mass;  ///< 1/sqrt(m) or 1/sqrt(0.4 m R^2)
 };
 
+/// Matrices of the rock with all bonds intact, plus the bed contacts of every particle (stability.hpp).
 LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
 
 }  // namespace gyro

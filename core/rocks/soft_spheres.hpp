@@ -34,6 +34,8 @@ void scale(Vessel& vessel, double factor);
 /// last bits of the result.
 class SoftSpheres {
  public:
+  /// @param side       period of the cube [smallest radius]
+  /// @param list_skin  skin of the neighbour lists [smallest radius]
   SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_skin);
   /// @param centres inside the vessel
   SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_skin);
@@ -44,6 +46,7 @@ class SoftSpheres {
 
   /// Scales all positions, the cube and the vessel, but not the radii.
   void scale(double factor);
+  /// @param cohesion  force of spheres in contact / (2 R*)  @param reach  gap at which the attraction ends
   void set_cohesion(double cohesion, double reach) { cohesion_ = cohesion, reach_ = reach; }
 
   /// Largest (overlap/smaller radius) of all pairs, and of spheres and faces.

@@ -48,8 +48,8 @@ class DriveSlave {
   /// torque without mantle inertia, the forces on the bearings without friction there.
   const std::vector<DriveVariable>& variables() const { return variables_; }
 
-  /// Applies changed parameters and sets the state at `time` [s]. @throws BadInput for a machine that cannot start as
-  /// asked
+  /// Applies changed parameters and sets the state at `time` [s]. @throws BadInput if the machine cannot start in the
+  /// requested way
   void initialise(double time);
   /// @param time  where the step begins [s]
   /// @param duration  of the step, > 0 [s]

@@ -16,8 +16,7 @@ struct Outcome {
   std::string out, err;  ///< standard output and error
 };
 
-/// An empty working directory in which the program is called. What the program caches and prints
-/// lies outside of it.
+/// An empty working directory in which the program is called. Its cache and output are stored outside of it.
 class Workplace {
  public:
   /// Runs `gyrosim ARGUMENTS` by the shell. One thread unless the arguments say otherwise.

@@ -94,8 +94,8 @@ TEST_CASE("A run that is not steady reports the reason") {
 }
 
 TEST_CASE("Standard errors are those of blocks of whole gyrations") {
-  // 20 gyrations of 0.5 s in ten blocks of two. Power +-1 and +-3 by block; the discharge goes with it, so that the
-  // specific energy is the same in all blocks.
+  // 20 gyrations of 0.5 s in ten blocks of two. Power +-1 and +-3 by block; the discharge is proportional to it, so
+  // that the specific energy is the same in all blocks.
   GyrationRecord record;
   const std::vector<double> by_block{-1, 3, 1, -3, -1, 3, 1, -3, -1, 1};
   for (std::size_t k = 0; k < 20; ++k) {

@@ -119,8 +119,7 @@ TEST_CASE("H6 a wall or liner that moves too fast for the step is stopped", "[ha
   }
   if (kind == 3) wall = {"press", PlaneShape{{0, 0, -0.02}, {0, 0, 1}}, LinearMotion{{0, 0, speed}}, 1};
   scene.walls = {wall};
-  // The sphere is beside the walls, so that none hits it, except the plane, which has no end and hits it at any
-  // position.
+  // The sphere is beside the walls and is not hit, except by the plane, which is infinite.
   const std::vector<NewRock> one{sphere(0, {0.5, 0.02, 0}, {0, 0, 0}, radius, 2600)};
   const Watched w = watched(scene, one, precision, 1, static_cast<int>(std::ceil(10 / way)));
   INFO("wall way " << way << " R, kind " << kind << ": " << w.verdict.value_or("no verdict"));
