@@ -109,7 +109,7 @@ TEST_CASE("H13 the force stays continuous if the gap of a bond closes before the
   CHECK(std::abs(dem->energy().residual()) < 0.01 * dem->energy().exchanged);
 }
 
-TEST_CASE("H14 rotating by up to 0.1 rad a step strains no bond", "[hard]") {
+TEST_CASE("H14 rotation by up to 0.1 rad a step does not strain bonds", "[hard]") {
   // A pair that rotates as a rigid body about an oblique axis; its bond is stretched as the centrifugal force requires.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double rotation = GENERATE(1e-4, 1e-3, 1e-2, 0.05, 0.09);

@@ -77,7 +77,7 @@ TEST_CASE("The edge check distinguishes a solid from a surface with faults") {
   }
 }
 
-TEST_CASE("Welding joins a soup, also across cells of its grid") {
+TEST_CASE("Welding joins separate triangles, also across cells of its grid") {
   const TriangleMesh mesh = block({1, 1, 1}, {-0.5, -0.5, -0.5});
   TriangleMesh soup;
   for (const auto& t : mesh.triangles) {

@@ -100,7 +100,7 @@ TEST_CASE("Sliding dissipates friction times path, whatever the step", "[laws][b
   CHECK(off.load.elastic == 0);
 }
 
-TEST_CASE("Ends that slide past each other without pressure dissipate nothing", "[laws][bond]") {
+TEST_CASE("Ends that slide past each other without pressure dissipate no energy", "[laws][bond]") {
   // At 1.1 L0, as where spheres were packed with an overlap. The spring at L0 would book -0.09 of `scale` a step.
   BondConstants<double> law = paper_law();
   const double speed = 1, dt = 1e-6, length = 1.1 * bond_length, scale = shear_rate * dt * dt * speed * speed;
@@ -116,7 +116,7 @@ TEST_CASE("Ends that slide past each other without pressure dissipate nothing", 
   }
 }
 
-TEST_CASE("The slipped axis shows the shear that friction left", "[laws][bond]") {
+TEST_CASE("The slipped axis has the shear that remains after slip", "[laws][bond]") {
   for (std::uint64_t k = 0; k < 50; ++k) {
     const double arm = 0.5 + 0.3 * random_number(k, 70), keep = 0.5 + 0.5 * random_number(k, 71);
     const Ends ends = pressed(k);

@@ -20,7 +20,7 @@ TEST_CASE("A passing table is linear between its sieves") {
   CHECK(sizes.largest() == 0.5);
 }
 
-TEST_CASE("Nothing passes the sieves below the last zero of a table") {
+TEST_CASE("No rock passes the sieves up to the last zero of a table") {
   const SizeDistribution sizes(PassingTable{{{0.01, 0}, {0.05, 0}, {0.1, 1}}});
   CHECK(sizes.smallest() == 0.05);
 }

@@ -94,7 +94,7 @@ TEST_CASE("Damping lowers a single mode's limit as (2/w)(sqrt(1 + xi^2) - xi)") 
   CHECK(critical_step(pair(r, b), stretch, no_bed) == Approx(undamped * (std::sqrt(1 + xi * xi) - xi)).epsilon(1e-4));
 }
 
-TEST_CASE("Translating and rotating as a whole stretches no bond") {
+TEST_CASE("Translation and rotation as a whole do not stretch bonds") {
   const RockTemplate rock =
       spheres({{0, 0, 0}, {0.02, 0.005, 0}, {0.01, 0.02, 0.012}}, {0.01, 0.012, 0.013}, {0.5, RelativeBondRadius{0.5}});
   REQUIRE(rock.bonds.size() == 3);
