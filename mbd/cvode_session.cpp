@@ -20,7 +20,7 @@ namespace {
 
 static_assert(sizeof(realtype) == sizeof(double), "SUNDIALS must be built for double precision");
 
-constexpr long max_steps = 100000;  // per interval; a run-up over minutes takes some hundreds
+constexpr long max_steps = 100000;  // per interval; a run-up of minutes takes some hundreds
 
 void require(int flag, const char* call) {
   if (flag >= 0) return;
@@ -37,7 +37,7 @@ bool finite(std::span<const double> y) {
   return std::all_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// CVODE prints its warnings on standard error; what matters comes back as a flag.
+/// Silences CVODE, which prints warnings on standard error; failures are also returned as flags.
 void say_nothing(int, const char*, const char*, char*, void*) {}
 
 /// Owns a SUNDIALS object of type T, freed by `release`.
@@ -83,7 +83,7 @@ struct CvodeSession::Implementation {
 
   Implementation(const Settings& settings, Rate rate_of, Events events_of, int count);
 
-  /// Calls `work`; keeps what it throws and returns CVODE's "cannot go on".
+  /// Calls `work`; stores an exception of it and returns CVODE's code for an unrecoverable error.
   template <class Work>
   int guarded(Work work) {
     try {

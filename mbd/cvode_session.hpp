@@ -13,14 +13,14 @@ namespace gyro {
 ///
 /// Every integration restarts at order one with a first step that is a fixed share of the interval: CVODE's history
 /// cannot be saved, so with history a resumed run could not repeat the bits of one that was not interrupted. The price
-/// is some 50 evaluations of f per interval.
+/// is about 50 evaluations of f per interval.
 class CvodeSession {
  public:
   /// Writes f(y) into `rate`.
   using Rate = std::function<void(std::span<const double> y, std::span<double> rate)>;
-  /// Watched for a zero, where the integration ends.
+  /// Function of y that is watched; the integration ends where it becomes zero.
   using Event = std::function<double(std::span<const double> y)>;
-  /// Several of them: writes each into `values`.
+  /// Several watched functions: writes the value of each into `values`.
   using Events = std::function<void(std::span<const double> y, std::span<double> values)>;
 
   struct Settings {
@@ -30,7 +30,7 @@ class CvodeSession {
     double first_step = 1e-3;                    ///< share of the interval [-]
   };
 
-  /// @param event  may be empty: then nothing is watched
+  /// @param event  may be empty; then nothing is watched
   CvodeSession(const Settings& settings, Rate rate, Event event);
   /// @param events  `event_count` of them, watched together
   CvodeSession(const Settings& settings, Rate rate, Events events, int event_count);
@@ -39,9 +39,9 @@ class CvodeSession {
   CvodeSession& operator=(CvodeSession&&) noexcept;
 
   /// Integrates y in place, from time 0 to `duration` > 0 [s], or to the event if that comes first.
-  /// A zero of an event at the start does not count when the solution moves away from it.
+  /// An event that is zero at the start does not end the integration if the solution moves away from the zero.
   /// @return the time reached [s]; less than `duration` only at an event
-  /// @throws StoppedByGuard when CVODE gives up or a value is not finite; what `rate` throws is passed on
+  /// @throws StoppedByGuard if CVODE fails or a value is not finite; exceptions of `rate` and of events are passed on
   double integrate(double duration, std::span<double> y);
 
   /// Whether the last integration ended at the zero of this event (two may be zero at once).

@@ -32,7 +32,7 @@ struct ShaftAdvance {
   double motor_work = 0;           ///< of the motor on its shaft [J]
   double loss_work = 0;            ///< in bushings, bearings, gear, coupling and brake [J]
   double kinetic_gain = 0;         ///< of kinetic energy, and of the coupling spring's [J]
-  double stopped_after = -1;       ///< time at which forward motion came to a halt [s]; < 0: it did not
+  double stopped_after = -1;       ///< time from the start of the interval to the halt of forward motion [s]; < 0: none
   std::vector<DriveEvent> events;  ///< in order; times since the start of the run
 };
 
@@ -42,8 +42,8 @@ struct DriveKnowledge {
   bool accounts = true;  ///< motor work, losses and kinetic energy, so that the exchange can be judged
 };
 
-/// The machine that moves the mantle against the rock's torque: the built-in Shaft, or an FMU (mbd/fmi). Called twice
-/// per window, so that virtual calls cost nothing.
+/// The machine that moves the mantle against the rock's torque: the built-in Shaft, or an FMU (mbd/fmi). It is called
+/// twice per window, so the cost of virtual calls is negligible.
 class Drive {
  public:
   Drive() = default;
@@ -54,14 +54,14 @@ class Drive {
   virtual ShaftMotion start() const = 0;   ///< motion at time 0
   virtual double start_angle() const = 0;  ///< of the eccentric at time 0 [rad]
 
-  /// What advance() would return. Changes `motion` and nothing else.
+  /// Returns what advance() would return, and changes only `motion`. Parameters as advance().
   virtual ShaftAdvance preview(double duration, const ShaftLoad& load, ShaftMotion& motion) = 0;
   /// Advances by `duration` > 0 [s] under a constant load.
   /// @param motion  as the last advance() left it; changed to that at the end
   /// @throws StoppedByGuard when the drive cannot be integrated
   virtual ShaftAdvance advance(double duration, const ShaftLoad& load, ShaftMotion& motion) = 0;
 
-  virtual double energy(const ShaftMotion& motion) const = 0;       ///< kinetic, and of springs [J]
+  virtual double energy(const ShaftMotion& motion) const = 0;       ///< kinetic, and stored in springs [J]
   virtual double motor_speed(const ShaftMotion& motion) const = 0;  ///< [rad/s]
   /// At the motor's shaft [N m].
   virtual double motor_torque_now(const ShaftMotion& motion, const ShaftLoad& load) const = 0;
@@ -69,11 +69,11 @@ class Drive {
   virtual bool constant_speed() const { return false; }  ///< true for the ideal drive, whose speed never changes
   virtual DriveKnowledge knows() const { return {}; }
 
-  /// Why its state cannot be saved; empty when it can.
+  /// Reason why its state cannot be saved; empty if it can.
   virtual std::string unsaveable() const { return {}; }
   /// State beyond ShaftMotion.
   virtual std::vector<std::uint8_t> save() const { return {}; }
-  /// @throws BadInput for the state of another drive
+  /// Continues from what save() returned. @throws BadInput for the state of another drive
   virtual void restore(std::span<const std::uint8_t>) {}
   /// Messages for the user since the last call.
   virtual std::vector<std::string> take_notes() { return {}; }

@@ -13,7 +13,7 @@ namespace gyro {
 namespace {
 
 /// Angle of the wall in a window below which work / angle is too inaccurate to be a torque [rad]. It is 2 nm at a
-/// mantle's circumference, so the energy left uncounted is at most 1e-9 rad x torque.
+/// mantle's circumference, so the energy that is not counted is at most 1e-9 rad x torque.
 constexpr double min_path_angle = 1e-9;
 
 bool same(const Window& a, const Window& b) {
@@ -104,7 +104,7 @@ void Drivetrain::advance(const Window& window, const MantleLoad& load) {
   judge_window(gained, load.work, window.length());
 }
 
-/// Running means over some 16 windows, so that a single impact does not change the divisor.
+/// Uses running means over about 16 windows, so that a single impact does not change the divisor.
 void Drivetrain::judge_window(const ShaftAdvance& gained, double work, double length) {
   constexpr double memory = 1.0 / 16;
   constexpr int max_divisor = 256;

@@ -33,7 +33,7 @@ struct DrivetrainState {
   double motor_work = 0;       ///< of the motor on its shaft, since time 0 [J]
   double loss_work = 0;        ///< in bushings, bearings, gear, coupling and brake, since time 0 [J]
   double rock_work = 0;        ///< of the mantle on the rock, as the DEM counted it, since time 0 [J]
-  int window_divisor = 1;      ///< power of 2 by which windows should be shorter than asked
+  int window_divisor = 1;      ///< windows should be shorter than requested by this power of 2
   double residual_mean = 0;    ///< |power residual|, running mean since the divisor changed [W]
   double exchanged_mean = 0;   ///< largest power of the exchange, likewise [W]
   int windows_judged = 0;      ///< since the divisor changed
@@ -94,10 +94,10 @@ struct DrivetrainMeans {
 /// How a drive is coupled to the rock.
 struct DriveCoupling {
   double residual_limit = 0;  ///< see DrivetrainParameters [-]
-  double bushing_depth = 0;   ///< of the bushings below the pivot [m]; 0: it takes no forces on bearings
+  double bushing_depth = 0;   ///< of the bushings below the pivot [m]; 0: bearing forces are not used
 };
 
-/// The drivetrain as the DEM sees it: it leads with a path, and responds to the load on that path.
+/// The drivetrain as the DEM sees it: it predicts a path of the mantle, and responds to the load on that path.
 ///
 ///   path = predict(window);  load = DEM along path;  advance(window, load)
 ///
@@ -112,7 +112,7 @@ class Drivetrain {
   /// At time 0, at start_angle; running at idle_speed, or at rest.
   /// @throws BadInput as check_drivetrain
   explicit Drivetrain(const DrivetrainParameters& parameters);
-  /// Any drive, at its start.
+  /// With any drive, in its start state.
   Drivetrain(std::unique_ptr<Drive> drive, const DriveCoupling& coupling);
 
   /// Path of the mantle over the window; exactly still while the shaft is stuck.
@@ -123,9 +123,9 @@ class Drivetrain {
   void advance(const Window& window, const MantleLoad& load);
 
   const DrivetrainState& state() const { return state_; }
-  /// Why a run with this drive has no checkpoints; empty when it has.
+  /// Reason why a run with this drive has no checkpoints; empty if it has.
   std::string unsaveable() const { return drive_->unsaveable(); }
-  /// What its drive has to save beyond state().
+  /// State of the drive that is not in state().
   std::vector<std::uint8_t> drive_state() const { return drive_->save(); }
   /// Continues from the state of a drivetrain with the same parameters.
   /// @throws BadInput for the state of another drive
@@ -142,9 +142,9 @@ class Drivetrain {
   double kinetic_energy() const;                                          ///< now, with the coupling spring's [J]
   /// Motor work - losses - rock work - gain of kinetic energy, since time 0 [J].
   double energy_residual() const;
-  /// How many times shorter than asked the next window should be: a power of 2. It doubles while the running mean of
-  /// |power residual| / exchanged power is above residual_limit, and is halved once that mean has been below a
-  /// sixteenth of the limit for as long (the residual goes with the square of the window).
+  /// How many times shorter than requested the next window should be: a power of 2. It is doubled while the running
+  /// mean of |power residual| / exchanged power is above residual_limit, and halved once that mean has been below a
+  /// sixteenth of the limit for the same time (the residual is proportional to the square of the window).
   int window_divisor() const { return state_.window_divisor; }
   bool stuck() const { return state_.direction == 0; }     ///< stands still now
   bool stalled() const { return state_.stall_time >= 0; }  ///< forward motion has come to a halt at least once
@@ -152,7 +152,7 @@ class Drivetrain {
   std::vector<DriveEvent> events() const;                  ///< the first max_events of the run
 
  private:
-  /// Rock torque from the work along the path, or as given when the path has no length.
+  /// Rock torque from the work along the path, or the given mean torque if the path has no length [N m].
   double mean_rock_torque(const MantleLoad& load) const;
   ShaftMotion motion() const;
   void set_motion(const ShaftMotion& motion);
@@ -165,7 +165,7 @@ class Drivetrain {
   DriveCoupling coupling_;
   DrivetrainState state_;
   DrivetrainMeans means_;
-  std::optional<Window> predicted_;              ///< window whose load is awaited
+  std::optional<Window> predicted_;              ///< predicted window that has not been advanced yet
   double path_angle_ = 0, path_spin_angle_ = 0;  ///< of the wall in it [rad]
 };
 

@@ -19,7 +19,7 @@ double idle_surplus(const DrivetrainParameters& parameters, double motor_speed) 
          idle_mantle(parameters).torque;
 }
 
-/// Speed of zero surplus in [driving, braking], to the last bit, by bisection.
+/// Motor speed of zero surplus in [driving, braking], to the last bit, by bisection [rad/s].
 double zero_surplus(const DrivetrainParameters& parameters, double driving, double braking) {
   for (;;) {
     const double middle = driving + (braking - driving) / 2;
@@ -53,7 +53,8 @@ void check_bearings(const DrivetrainParameters& p) {
 
 void check_supply(const DrivetrainParameters& p) {
   const VoltageInput& v = p.voltage;
-  require(v.times.size() == v.ratios.size(), "the voltage has not as many ratios as times; give one ratio per time");
+  require(v.times.size() == v.ratios.size(),
+          "the voltage has different numbers of times and ratios; give one ratio per time");
   require(std::ranges::all_of(v.ratios, at_least_zero), "a voltage is negative or not a number; it must be >= 0");
   require(v.times.empty() || v.times.front() == 0, "the voltage does not begin at time 0; its first time must be 0");
   require(std::ranges::adjacent_find(v.times, [](double a, double b) { return !(a < b); }) == v.times.end(),
@@ -64,7 +65,7 @@ void check_supply(const DrivetrainParameters& p) {
   require(!ideal || p.spring.stiffness == 0,
           "a constant-speed motor has no coupling spring; use another motor, or leave the spring out");
   require(at_least_zero(p.spring.stiffness) && at_least_zero(p.spring.damping),
-          "the coupling spring is negative or not a number; they must be numbers >= 0");
+          "the coupling spring's stiffness or damping is negative or not a number; both must be numbers >= 0");
   require(p.spring.stiffness == 0 || (p.motor_inertia > 0 && p.eccentric_inertia > 0),
           "a coupling spring needs an inertia on either side; the inertias of motor and eccentric must be > 0");
 }
@@ -81,7 +82,7 @@ void check_protection(const DrivetrainParameters& p) {
   require(r.under_speed >= 0 && r.under_speed < 1, "under_speed is outside [0, 1); a usual value is 0.5");
   require(r.restarts >= 0, "restarts is negative; it must be >= 0");
   require((r.overload_time == 0 && r.instantaneous_ratio == 0) || p.rated_motor_torque() > 0,
-          "relays that look at the current need the rated_torque of a motor without a name plate");
+          "relays that measure the current need the rated_torque of a motor without a name plate");
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ IdleMantle idle_mantle(const DrivetrainParameters& p) {
   const double cosine = std::sqrt((1 - sine) * (1 + sine));
   if (!(p.mantle_inertia > 0)) return {0, -1, outer + inner * cosine + spider * sine};
   if (inner >= spider * cosine) return {cosine, 0, outer + spider};
-  // The mantle lags: the spider's torque about its axis is what the bushing passes on.
+  // The mantle lags: the spider's torque about the mantle's axis equals the torque that the bushing transmits.
   const double share = inner / spider, across = std::sqrt(1 - share * share);
   return {sine * share / across, -1, outer + inner * cosine + spider * sine * across};
 }
@@ -120,7 +121,7 @@ double idle_speed(const DrivetrainParameters& parameters) {
   if (std::holds_alternative<ConstantSpeedMotor>(parameters.motor)) return highest / parameters.gear_ratio;
   if (idle_surplus(parameters, highest) >= 0) return highest / parameters.gear_ratio;
 
-  // From the top downwards: the first balance met is the stable one on the steep branch.
+  // Scan from the highest speed downwards: the first balance found is the stable one on the steep branch.
   constexpr int scan_points = 2000;
   double braking = highest;
   for (int k = scan_points - 1; k >= 0; --k) {

@@ -69,8 +69,8 @@ IdleMantle idle_mantle(const DrivetrainParameters& parameters);
 /// @throws BadInput when the losses are more than the motor can carry
 double idle_speed(const DrivetrainParameters& parameters);
 
-/// @throws BadInput when a value is out of its range, or the machine cannot start as asked: the losses are too large
-/// for the motor, or a constant-speed motor is to start from rest
+/// @throws BadInput when a value is out of its range, or the machine cannot start in the requested way: the losses are
+/// too large for the motor, or a constant-speed motor would start from rest
 void check_drivetrain(const DrivetrainParameters& parameters);
 
 }  // namespace gyro

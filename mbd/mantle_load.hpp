@@ -7,11 +7,11 @@
 
 namespace gyro {
 
-/// What the rock does to the drive in a window.
+/// Load of the rock on the drive in a window.
 struct MantleLoad {
   double work = 0;  ///< done by the mantle on the rock [J]
   /// Mean torque T_c of the rock about the eccentric's axis, positive when it resists forward motion [N m]. The
-  /// drivetrain uses it only while the mantle stands still, where the work says nothing.
+  /// drivetrain uses it only while the mantle stands still, because the work is then 0 for any torque.
   double resisting_torque = 0;
   double spin_torque = 0;    ///< mean torque T_s of the rock on the mantle about the mantle's own axis [N m]
   BearingForces bearings{};  ///< [N]

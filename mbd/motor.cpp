@@ -41,7 +41,7 @@ Motor motor_of_model(const std::string& model) {
     found = law;
     is_known = true;
   });
-  if (!is_known) throw BadInput("there is no motor model `" + model + "`; the models are " + known);
+  if (!is_known) throw BadInput("unknown motor model `" + model + "`; use one of " + known);
   return found;
 }
 

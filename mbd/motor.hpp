@@ -14,7 +14,7 @@
 namespace gyro {
 
 /// All motor laws: quasi-static torque at the motor shaft against the shaft's speed. A positive torque drives forward;
-/// a negative one brakes a motor that turns forward (generator). Electrical transients (some 10 ms) are left out.
+/// a negative one brakes a motor that turns forward (generator). Electrical transients (about 10 ms) are left out.
 ///
 /// A law is a struct in mbd/motors with
 ///
@@ -23,10 +23,9 @@ namespace gyro {
 ///   check()                          throws BadInput for a parameter that is out of range
 ///   torque(speed, voltage)           [N m]; speed [rad/s], voltage / rated voltage [-]
 ///   no_load_speed(), rated_speed()   [rad/s]: of zero torque; at which the user's losses are quoted
-///   complete()                       optional: computes what follows from the parameters
+///   complete()                       optional: computes the derived parameters
 ///   rated_torque(), current(speed)   optional: of a name plate [N m]; current / rated current at rated voltage [-]
-///
-/// To add one: its file there, its place in this list, its keys in io/schema/keys.cpp.
+/// To add a law: add its file in mbd/motors, its type in this list, and its keys in io/schema/keys.cpp.
 using Motor = std::variant<InductionMotor, DoubleCageMotor, DroopMotor, CurveMotor, ConstantSpeedMotor>;
 
 /// The name of a motor's law.
@@ -40,7 +39,7 @@ template <class F>
 void for_each_parameter(F&& f, Motor& motor) {
   std::visit([&](auto& law) { law.for_each_parameter(f, law); }, motor);
 }
-/// Computes what follows from the parameters; needed after a change of any. @throws BadInput where nothing fits them
+/// Computes the derived parameters; call it after any parameter has changed. @throws BadInput if no motor has them
 void complete_motor(Motor& motor);
 /// @throws BadInput when a parameter of the motor is out of its range
 void check_motor(const Motor& motor);

@@ -55,7 +55,7 @@ double Protection::next_deadline(const SwitchState& state) const {
   return next;
 }
 
-/// The speed crosses the relay's threshold upwards and downwards in turn.
+/// The speed crosses the threshold of the relay alternately upwards and downwards.
 void Protection::follow_speed(SwitchState& state, double now, double speed, bool crossed) const {
   if (!(p_.under_speed > 0)) return;
   const bool fast = state.sense * speed > slow_speed_;
@@ -88,7 +88,7 @@ void Protection::settle(SwitchState& state, double now, double current, double s
     happened.push_back({now, p_.restart_reversed ? DriveEventKind::reversed_restart : DriveEventKind::restart});
     state.restart_at = -1;
     ++state.restarts;
-    return;  // the next call looks at the current of the motor, which is on now
+    return;  // the next call checks the current of the motor, which is on now
   }
   if (state.sense == 0) return;
   follow_speed(state, now, speed, fired[crossed_slow]);

@@ -10,11 +10,11 @@ namespace gyro {
 namespace {
 
 // Unknowns of one leg that every drive has. All are gains since its start, so that the tolerance is relative to the
-// small change in an interval, not to the speed or to an angle that grows for ever. The works are unknowns as well, so
-// that the energy balance is as accurate as the solution.
+// small change in an interval, not to the speed or to an angle that grows without limit. The works are unknowns as
+// well, so that the energy balance is as accurate as the solution.
 enum Unknown { angle_gain, speed_gain, motor_impulse, motor_work, loss_work, unknowns };
 
-// rad, rad/s, N m s, J, J: each some 1e-10 of what a window of 0.5 ms brings in a large crusher
+// rad, rad/s, N m s, J, J: each about 1e-10 of the change in a window of 0.5 ms in a large crusher
 constexpr std::array<double, unknowns> absolute_tolerance{1e-13, 1e-13, 1e-9, 1e-8, 1e-8};
 constexpr double optional_tolerance = 1e-13;  // rad, rad/s, 1, s
 
@@ -146,7 +146,7 @@ bool Shaft::consistent(const ShaftPoint& now, FrictionSigns signs, bool at_rest,
   return signs.slip * (b.spin_acceleration - model_.cos_tilt() * b.acceleration) > 0;
 }
 
-/// Signs for the next leg: those of the motion where there is motion, else the first that are consistent.
+/// Signs for the next leg: those of the motion if it moves, otherwise the first that are consistent.
 /// @param after_leg  a leg has just ended: if it ended where friction gave way, the motion starts
 FrictionSigns Shaft::settle_friction(const ShaftMotion& motion, bool after_leg) const {
   if (after_leg && (session_.fired(starts_forward) || session_.fired(starts_backward)))
@@ -163,7 +163,7 @@ FrictionSigns Shaft::settle_friction(const ShaftMotion& motion, bool after_leg) 
       if (consistent(now, {direction, slip}, at_rest, together)) return {direction, slip};
     }
   }
-  // Reached only by rounding, at the edge between two answers.
+  // Reached only by rounding, on the limit between two states.
   return {at_rest ? 0 : sign(motion.speed), motion.slip};
 }
 

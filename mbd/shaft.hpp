@@ -17,7 +17,7 @@ namespace gyro {
 ///   the eccentric starts forward    if the net torque with forward friction is > 0,
 ///                 starts backward   if the net torque with backward friction is < 0,
 ///                 stays stuck       otherwise: friction balances the rest and w is exactly 0;
-///   the mantle    is dragged along  if the inner bushing can pass the torque that this takes,
+///   the mantle    is dragged along  if the inner bushing can transmit the torque that this requires,
 ///                 lags or runs ahead otherwise.
 /// Both are settled together. The two starts exclude each other, and under a constant load an eccentric that has left 0
 /// does not return in the same interval, so there is no chatter.
@@ -26,7 +26,7 @@ class Shaft : public Drive {
   /// @throws BadInput as check_drivetrain
   explicit Shaft(const DrivetrainParameters& parameters);
 
-  /// The result depends on `motion` alone, so that any motion may be given.
+  /// The result depends only on the arguments, so any motion may be given.
   ShaftAdvance advance(double duration, const ShaftLoad& load, ShaftMotion& motion) override;
   ShaftAdvance preview(double duration, const ShaftLoad& load, ShaftMotion& motion) override {
     return advance(duration, load, motion);

@@ -49,7 +49,7 @@ double ShaftModel::motor_current_at(const ShaftPoint& now, double sense) const {
   return sense == 0 ? 0 : motor_current(motor_, sense * now.motor_speed, now.voltage, rated_motor_torque_);
 }
 
-/// Torque at the gear's input: the motor's own, or what the spring passes on.
+/// Torque at the gear's input: that of the motor, or of the spring if there is one [N m].
 double ShaftModel::input_torque(const ShaftPoint& now, double at_motor) const {
   if (!has_spring()) return at_motor;
   return spring_.stiffness * now.twist + spring_.damping * (now.motor_speed - transmission_.ratio * now.speed);
@@ -68,7 +68,7 @@ ShaftModel::Spider ShaftModel::spider(const ShaftPoint& now, FrictionSigns signs
   return {spider_torque_ * now.speed * sine * sine / rate, spider_torque_ * now.spin / rate, spider_torque_ * rate};
 }
 
-/// The mantle is dragged along: one equation of motion for both.
+/// Accelerations while the mantle is dragged along: one equation of motion for mantle and eccentric.
 void ShaftModel::move_both(ShaftBalance& b, const Spider& held, double net) const {
   if (!ideal_)
     b.acceleration =
@@ -77,7 +77,7 @@ void ShaftModel::move_both(ShaftBalance& b, const Spider& held, double net) cons
   b.bushing_torque = mantle_inertia_ * b.spin_acceleration - load_.spin_torque + held.on_mantle;
 }
 
-/// The motor's torque as the given speed needs it.
+/// Ideal drive: the motor's torque that keeps the given speed.
 void ShaftModel::drive_ideally(ShaftBalance& b, const ShaftPoint& now, const Spider& held, double dry) const {
   const double needed =
       load_.rock_torque + dry + losses_.viscous * now.speed + b.bushing_torque * cos_tilt_ + held.on_eccentric;
@@ -119,7 +119,7 @@ ShaftBalance ShaftModel::balance(const ShaftPoint& now, FrictionSigns signs, dou
   return b;
 }
 
-/// All losses but the spider's [W].
+/// All losses except the spider's [W].
 double ShaftModel::losses_at(const ShaftPoint& now, const ShaftBalance& b, FrictionSigns signs, double input,
                              double dry) const {
   const double ratio = transmission_.ratio;

@@ -21,7 +21,7 @@ struct ShaftPoint {
   double voltage = 1;      ///< / rated voltage [-]
 };
 
-/// The signs of dry friction, at whose changes it jumps; constant during one leg of the integration.
+/// The signs of dry friction, which jumps where they change; constant during one leg of the integration.
 struct FrictionSigns {
   int direction = 0;  ///< of the eccentric: +1 forward, 0 stuck, -1 backward
   int slip = 0;       ///< of sigma - w cos b: the mantle runs ahead (+1), is dragged along (0), lags (-1)
@@ -31,7 +31,7 @@ struct FrictionSigns {
 struct ShaftBalance {
   double acceleration = 0, spin_acceleration = 0, motor_acceleration = 0;  ///< [rad/s2]
   double motor_torque = 0, motor_power = 0, loss_power = 0;                ///< at the motor's shaft; [N m], [W]
-  /// Torque that the inner bushing passes to the mantle [N m]; while slip is 0, the torque that drags it along.
+  /// Torque that the inner bushing transmits to the mantle [N m]; while slip is 0, the torque that drags it along.
   double bushing_torque = 0;
   double stuck_forward = 0;   ///< net torque on a stuck eccentric if it were to start forward [N m]
   double stuck_backward = 0;  ///< likewise backward
@@ -46,15 +46,16 @@ struct ShaftBalance {
 ///
 /// The inner bushing slides at sigma - w cos b: it drags the mantle towards the eccentric, and appears with cos b in
 /// the eccentric's equation. The spider is a ball joint with a friction torque against Omega. While the mantle is
-/// dragged along (s = 0) both equations are one, with the inertia J + J_a cos^2 b, and bushing_torque is what the
-/// bushing must pass, at most T_inner. T_dry = T_0 + load_factor |T_c| + outer bushing + brake. Where no mantle inertia
-/// is given, sigma is 0 and the bushing slides at w cos b.
+/// dragged along (s = 0) both equations are one, with the inertia J + J_a cos^2 b, and bushing_torque is the torque
+/// that the bushing must transmit, at most T_inner. T_dry = T_0 + load_factor |T_c| + outer bushing + brake. Where no
+/// mantle inertia is given, sigma is 0 and the bushing slides at w cos b.
 class ShaftModel {
  public:
   /// @throws BadInput as check_drivetrain
   explicit ShaftModel(const DrivetrainParameters& parameters);
 
-  /// @param sense  of the motor: +1 forward, -1 backward, 0 off
+  /// @param sense         of the motor: +1 forward, -1 backward, 0 off
+  /// @param brake_torque  dry, at the motor's shaft [N m]
   ShaftBalance balance(const ShaftPoint& now, FrictionSigns signs, double sense, double brake_torque) const;
   /// Torque at the motor's shaft [N m].
   double motor_torque_at(const ShaftPoint& now, double sense) const;
@@ -64,15 +65,15 @@ class ShaftModel {
   double inner_torque() const { return inner_torque_; }
   void set_load(const ShaftLoad& load);
 
-  bool ideal() const { return ideal_; }  ///< the speed never changes, the motor's torque is what that takes
+  bool ideal() const { return ideal_; }  ///< constant speed; the motor's torque follows from the load
   bool mantle_spins() const { return mantle_inertia_ > 0; }
   bool has_spring() const { return spring_.stiffness > 0; }
   double gear_ratio() const { return transmission_.ratio; }
   double cos_tilt() const { return cos_tilt_; }
-  double inertia() const { return inertia_; }  ///< that turns rigidly with the eccentric [kg m2]
-  double motor_inertia() const { return motor_inertia_; }
-  double mantle_inertia() const { return mantle_inertia_; }
-  double spring_stiffness() const { return spring_.stiffness; }
+  double inertia() const { return inertia_; }                ///< of all that turns rigidly with the eccentric [kg m2]
+  double motor_inertia() const { return motor_inertia_; }    ///< about the motor's shaft [kg m2]
+  double mantle_inertia() const { return mantle_inertia_; }  ///< about the mantle's axis [kg m2]
+  double spring_stiffness() const { return spring_.stiffness; }  ///< at the motor's shaft [N m/rad]
 
  private:
   struct Spider {

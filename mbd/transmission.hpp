@@ -3,8 +3,8 @@
 
 namespace gyro {
 
-/// The rigid bevel gear between motor shaft and eccentric. Of the power that passes, the share
-/// 1 - efficiency is lost, whichever way it flows:
+/// The rigid bevel gear between motor shaft and eccentric. The share 1 - efficiency of the transmitted power is lost in
+/// either direction of flow:
 ///
 ///   T_eccentric = i T_motor efficiency   while the motor drives (T_motor in the direction of motion)
 ///   T_eccentric = i T_motor / efficiency while the motor brakes
@@ -18,7 +18,7 @@ struct Transmission {
   double torque_at_eccentric(double motor_torque, int direction) const {
     return ratio * motor_torque * (motor_torque * direction > 0 ? efficiency : 1 / efficiency);
   }
-  /// The inverse of the above.
+  /// The inverse of torque_at_eccentric.
   double torque_at_motor(double eccentric_torque, int direction) const {
     return eccentric_torque / ratio / (eccentric_torque * direction > 0 ? efficiency : 1 / efficiency);
   }

@@ -21,7 +21,7 @@ void check_crusher(const Case& input, Assembly& out) {
         "drivetrain",
         "the drive moves nothing, because no wall gyrates; give walls.mantle the motion gyration, or the crusher "
         "a profile");
-  if (input.crusher && !driven) out.notes.push_back("the case has no drivetrain: the mantle stands still");
+  if (input.crusher && !driven) out.notes.push_back("the case has no drivetrain: the mantle does not move");
 }
 
 /// Notes times that are not a whole number of windows: a run acts at the ends of windows only.
@@ -40,7 +40,7 @@ void note_windows(Assembly& out, const Case& input) {
   note("output.series", input.output.series);
 }
 
-/// The scene but its walls and step.
+/// The scene, except walls and step.
 void set_scene(Scene& scene, const Case& input) {
   scene.materials = input.materials;
   scene.pairs = pair_table(input);
@@ -75,7 +75,7 @@ void set_rock(Assembly& out, const Case& input, int threads) {
   for (std::string& note : size_notes(input, setup.scene.walls, rock)) out.notes.push_back(std::move(note));
 }
 
-/// Where rock leaves. Without a concave that is closed around the axis nothing tells the opening from the rim.
+/// Where rock leaves. The opening and the rim are distinguished only if a concave is closed around the axis.
 void set_discharge(Assembly& out, const Case& input) {
   if (!input.crusher) return;
   Setup& setup = out.setup;
@@ -89,7 +89,7 @@ void set_discharge(Assembly& out, const Case& input) {
     why = std::string("wall concave: ") + problem.what();
   }
   if (!setup.discharge->concave)
-    out.notes.push_back(why + ": all rock that falls below z = 0 counts as product, over the rim as well");
+    out.notes.push_back(why + ": all rock that falls below z = 0 counts as product, also rock that left over the rim");
 }
 
 void set_step(Assembly& out, const Case& input) {

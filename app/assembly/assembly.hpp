@@ -14,7 +14,7 @@
 
 namespace gyro {
 
-/// A case as a setup, and what the program shows besides. Only app/assembly knows both cases and setups.
+/// The setup of a case and data for its output. Only app/assembly knows both cases and setups.
 struct Assembly {
   Setup setup;
   StepChoice step;
@@ -33,7 +33,7 @@ Assembly assemble(const Case& input, int threads = 0);
 /// The simulation of an assembled case; opens its drive.
 /// @param dem    empty scene made from setup.scene
 /// @param saved  see Simulation
-/// @throws BadKey for a drive, a start state or a feed that cannot be had; BadInput for the saved state of another run
+/// @throws BadKey if drive, start state or feed cannot be made; BadInput for the saved state of another run
 std::unique_ptr<Simulation> make_simulation(const Case& input, Setup setup, std::unique_ptr<Dem> dem,
                                             const SavedState* saved = nullptr);
 

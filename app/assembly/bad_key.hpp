@@ -8,13 +8,13 @@
 
 namespace gyro {
 
-/// A problem of a case that shows only when it is assembled, with the key of the case file to blame.
+/// A problem of a case that is found only when it is assembled, with the key of the case file that causes it.
 struct BadKey : BadInput {
   BadKey(std::string blamed, const std::string& problem) : BadInput(problem), key(std::move(blamed)) {}
   std::string key;
 };
 
-/// Does `work`; blames `key` for bad input that it meets.
+/// Does `work`; turns a BadInput that it throws into a BadKey with this key.
 template <class Work>
 auto blaming(const std::string& key, Work&& work) {
   try {

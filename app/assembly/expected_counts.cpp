@@ -127,7 +127,7 @@ std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup&
   const double memory = available_memory();
   if (expected_bytes(counts.particles, counts.bonds) > share_of_memory * memory)
     throw BadKey(key, found + ": more than 0.9 of the memory that is free, " + in_words(memory / 1e9) + " GB" + advice);
-  if (counts.particles > many_particles) return {"much rock: " + found};
+  if (counts.particles > many_particles) return {"large case: " + found};
   return {};
 }
 

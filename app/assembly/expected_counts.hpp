@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-// How much rock a case has, known from masses and the library, before any rock is placed.
+// Amount of rock in a case, computed from masses and the library before any rock is placed.
 
 namespace gyro {
 
-/// Counts as double: a wrong unit makes numbers that no integer holds.
+/// Counts as double, because a wrong unit can give numbers that exceed the range of integers.
 struct ExpectedCounts {
   double rocks = 0, particles = 0, bonds = 0;  ///< at the start, a batch included
   double fed_rocks = 0, fed_particles = 0;     ///< by the feed's rate over the run
@@ -25,11 +25,11 @@ double expected_bytes(double particles, double bonds);
 /// @param duration  of the run [s]
 ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, double duration);
 
-/// Bytes that the machine can still give; infinite where that is not known.
+/// Free memory of the machine [bytes]; infinity if it is not known.
 double available_memory();
 
-/// Refuses what cannot be run: more particles than ids, more memory than there is, more steps than can be counted.
-/// @return notes on what is large but possible
+/// Refuses cases with more particles than ids, more memory than is free, or more steps than can be counted.
+/// @return notes on large but possible cases
 /// @throws BadKey for `feed`, `particles` or `time.duration`, with the counts
 std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup);
 

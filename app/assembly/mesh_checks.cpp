@@ -12,7 +12,7 @@ namespace {
 
 constexpr double absurd = 1000;        // [m]; no wall of a crusher is that long
 constexpr double suspicious = 100;     // [m]
-constexpr double many_rocks = 1000;    // extent / largest rock; above the ratio of a drawing in mm is likelier
+constexpr double many_rocks = 1000;    // extent / largest rock; above it, a drawing in mm is more likely
 constexpr double round_within = 0.02;  // a polygon of 12 sides is 1.7 % off a circle
 
 bool equal(double a, double b) {
@@ -50,9 +50,9 @@ std::vector<std::string> frame_notes(const CaseWall& wall, const MeshFile& file,
     return equal(width, depth) && std::hypot(a, b) <= round_within * std::max(width, depth);
   };
   if (!equal(size.x, size.y) && upright_at(size.x, size.z, middle.x, middle.z))
-    return {begin + "its axis seems to be y; the machine's is z: set " + keys + "rotate: [90 deg, 0, 0]"};
+    return {begin + "its axis seems to be y, but the machine's axis is z: set " + keys + "rotate: [90 deg, 0, 0]"};
   if (!equal(size.x, size.y) && upright_at(size.y, size.z, middle.y, middle.z))
-    return {begin + "its axis seems to be x; the machine's is z: set " + keys + "rotate: [0, -90 deg, 0]"};
+    return {begin + "its axis seems to be x, but the machine's axis is z: set " + keys + "rotate: [0, -90 deg, 0]"};
   if (std::hypot(middle.x, middle.y) > round_within * std::max(size.x, size.y))
     return {begin + "its middle is at x = " + in_mm(middle.x) + ", y = " + in_mm(middle.y) +
             "; the machine's axis is at x = y = 0: set " + keys + "shift"};

@@ -8,25 +8,25 @@
 #include <string>
 #include <vector>
 
-// What a mesh file cannot say: its unit, its frame, its place. Meshes are in metres, z upwards along the machine's
+// Checks of what mesh files do not contain: unit, frame, position. Meshes are in metres, z upwards along the machine's
 // axis.
 
 namespace gyro {
 
-/// Name of a wall and its file, with which notes about it begin.
+/// Name of a wall and its file, as the beginning of notes about it.
 std::string name_of(const CaseWall& wall, const MeshFile& file);
 
 /// @throws BadInput for a mesh of more than 1 km, with its extents
 void check_extent(const TriangleMesh& mesh, const MeshFile& file);
 
-/// Signs that a liner does not stand upright on the machine's axis, each with the key that mends it.
+/// Notes if a liner seems not to be upright on the machine's axis, each with the key that corrects it.
 std::vector<std::string> frame_notes(const CaseWall& wall, const MeshFile& file, const TriangleMesh& liner);
 
-/// Signs that the mantle does not fit the concave as drawn.
+/// Notes if the mantle seems not to fit the concave as drawn.
 /// @param height  of the concave above the discharge plane [m]
 std::vector<std::string> setting_notes(const MeshSetting& setting, const GyrationMotion& motion, double height);
 
-/// Meshes of more than 100 m, or of more than 1000 times the largest rock.
+/// Notes on meshes larger than 100 m, or than 1000 times the largest rock.
 /// @param rock  extent of the largest rock; 0 if there is none [m]
 std::vector<std::string> size_notes(const Case& input, const std::vector<Wall>& walls, double rock);
 

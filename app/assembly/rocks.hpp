@@ -12,7 +12,7 @@ namespace gyro {
 
 // The rock of a case: bonds, library, start state and feed.
 
-/// Strength of the bonds of a case; empty where all are equally strong.
+/// Strength of the bonds of a case; empty if all are equally strong.
 BondStrength bond_strength(const Case& input);
 
 /// Recipe of the library. @param scene  with materials, pairs and bonds
@@ -22,13 +22,13 @@ LibraryRecipe library_recipe(const Case& input, const Scene& scene);
 /// case without bonds every particle is loose.
 std::vector<NewRock> start_state(const Case& input);
 
-/// Depth below the discharge plane at which a fragment can touch nothing any more: twice the extent of the largest
+/// Depth below the discharge plane at which a fragment can no longer touch anything: twice the extent of the largest
 /// rock [m].
 double removal_depth(const RockLibrary& library, std::span<const NewRock> start);
 
 /// The feed of a case that has one.
 /// @param scene   with walls
-/// @param start   rocks whose ids are taken
+/// @param start   rocks whose numbers and ids are already in use
 /// @throws BadInput for a wall that cannot bound a region
 FeedPlan feed_plan(const Case& input, const Scene& scene, const RockLibrary& library, std::span<const NewRock> start);
 

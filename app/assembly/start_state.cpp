@@ -32,7 +32,7 @@ std::vector<NewRock> loose(const CaseParticles& table, double density) {
   return rocks;
 }
 
-/// Rocks without their bonds, and where each row of the table went.
+/// Rocks without their bonds, and the rock of each row of the table.
 struct Grouped {
   std::vector<NewRock> rocks;
   std::vector<Index> rock, number;  ///< by row: in `rocks`, and in the particles of that rock

@@ -79,7 +79,7 @@ void set_meshes(CaseWalls& out, double closed_side_setting) {
     out.doubts.push_back(std::move(doubt));
 }
 
-/// The same; a refusal says what is doubtful about the meshes.
+/// The same; the error message includes the doubts about the meshes.
 void set_doubtful_meshes(CaseWalls& out, double closed_side_setting) {
   try {
     set_meshes(out, closed_side_setting);

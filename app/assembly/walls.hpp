@@ -19,13 +19,13 @@ struct WallPicture {
   Index wall;         ///< in the scene
 };
 
-/// The walls of a case, with the mantle at its setting.
+/// The walls of a case; the mantle is lifted to its setting.
 struct CaseWalls {
   std::vector<Wall> walls;
   std::optional<Liners> liners;       ///< of a crusher given by its profile
   std::vector<WallPicture> pictures;  ///< one per wall
-  std::vector<std::string> notes;     ///< extents and repairs of mesh files, and where the mantle was set, for the log
-  std::vector<std::string> doubts;    ///< the notes that say that a mesh is likely in another unit, frame or place
+  std::vector<std::string> notes;     ///< extents and repairs of mesh files, and the lift of the mantle, for the log
+  std::vector<std::string> doubts;    ///< notes on meshes that are probably in another unit, frame or position
 };
 
 /// Reads mesh files, makes liners from a profile and lifts a mantle of meshes to the closed side setting.

@@ -14,12 +14,12 @@ std::vector<double> first_of(std::vector<double> values, std::size_t count) {
   return values;
 }
 
-/// Equal bits are looked for one by one: means over seeds could hide a difference.
+/// Metrics that must not change are compared seed by seed, because means over seeds could hide a difference.
 Family family_of(const Metric& metric, const KnobSetting& setting) {
   return setting.exact && metric.family != Family::identity ? Family::path : metric.family;
 }
 
-/// @param fine, coarse  values by metric and seed of what the ensemble is compared with
+/// @param fine, coarse  reference values for the ensemble, by metric and seed
 Point point_of(const Member& member, const Ensemble& ensemble, const Reference::Table& fine,
                const Reference::Table& coarse) {
   Point p;

@@ -15,27 +15,27 @@ struct PointMetric {
   Deviation deviation;
 };
 
-/// One point of the work-precision diagram: what a setting costs and how far off it is.
+/// One point of the work-precision diagram: cost and error of a setting.
 struct Point {
   std::string scene;
   KnobSetting setting;
   int seeds = 0;
-  double seconds_per_simulated_second = 0;  ///< processor time of one thread
-  double time_step = 0, time_step_limit = 0;
+  double seconds_per_simulated_second = 0;    ///< processor time of one thread
+  double time_step = 0, time_step_limit = 0;  ///< [s]
   std::vector<PointMetric> metrics;
   int stopped = 0;      ///< runs that the guard stopped; the metrics are of the others
-  std::string reason;   ///< of the first of them
-  std::string refused;  ///< why a case may not ask for this setting; empty if it may
+  std::string reason;   ///< of the first of these stops
+  std::string refused;  ///< reason why a case may not use this setting; empty if it may
 };
 
-/// What of the bench is run.
+/// Which part of the bench is run.
 struct Extent {
-  bool quick = false;
-  std::string knob;  ///< only this one; empty: all
+  bool quick = false;  ///< few points, three seeds
+  std::string knob;    ///< only this one; empty: all
   int threads = 1;
 };
 
-/// Measures the settings of a scene, each handed over as soon as it is there.
+/// Measures the settings of a scene; calls `take` with each point as soon as it is complete.
 void measure(const AccuracyScene& scene, const std::filesystem::path& folder, const Reference& reference,
              const Extent& extent, const std::function<void(const Point&)>& take);
 

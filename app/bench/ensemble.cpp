@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Applies `f` to pairs.
+/// f(x[k], ref[k]) for all k.
 template <class F>
 std::vector<double> paired(std::span<const double> x, std::span<const double> ref, F f) {
   std::vector<double> out;

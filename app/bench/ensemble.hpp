@@ -5,14 +5,14 @@
 
 namespace gyro::bench {
 
-/// Mean of a sample and how well it is known.
+/// Mean of a sample and its standard error.
 struct Mean {
   double value = 0;
-  double error = 0;  ///< standard error, s/sqrt(n) with s from n - 1; not a number below two members
+  double error = 0;  ///< s/sqrt(n), s with n - 1 degrees of freedom; NaN with fewer than two members
   int count = 0;
 };
 
-/// Members that are not a number (nothing was there to measure) are left out; of none the mean is not a number.
+/// Members that are NaN (there was nothing to measure) are left out; if none is left, the mean is NaN.
 Mean mean_of(std::span<const double> sample);
 
 /// How a quantity is compared with its reference.
@@ -23,21 +23,21 @@ enum class Family {
   invariant,  ///< zero in exact arithmetic: mean of |x|
 };
 
-/// An error with its uncertainty and the floor below which the reference cannot see.
+/// An error with its uncertainty and the error of the reference.
 struct Deviation {
   double error = 0;
   double error_se = 0;   ///< standard error of `error` over the seeds
-  double noise = 0;      ///< ensemble: standard error of the reference's mean; others: error of the reference itself
-  double bias = 0;       ///< mean relative difference, with its sign; of an identity 0
+  double noise = 0;      ///< ensemble: standard error of the reference's mean; others: error of the reference
+  double bias = 0;       ///< mean relative difference, with its sign; 0 for an identity
   double mean = 0;       ///< of the quantity
   double reference = 0;  ///< mean of the reference
-  int seeds = 0;         ///< pairs that both have a value
+  int seeds = 0;         ///< number of pairs with two values
 };
 
 /// Values of one quantity by seed, in the same order.
 struct Paired {
   std::span<const double> measured, reference;
-  std::span<const double> coarse;  ///< the reference at twice its step, bounds the error of the reference
+  std::span<const double> coarse;  ///< reference at twice its step, which bounds the error of the reference
 };
 
 /// @pre all three are equally long

@@ -29,7 +29,7 @@ void FirstBreak::see(const Window& window, double force, const std::vector<Break
   seen_ = true;
   time_ = breakages.front().time;
   bond_ = name_of(breakages.front());
-  // The means stand for the middles of their windows.
+  // The means are the forces in the middle of their windows; extrapolate to the time of the break.
   const double since_last = time_ - (window.begin() - 0.5 * window.length());
   force_ = last_ + (last_ - before_) * since_last / window.length();
 }

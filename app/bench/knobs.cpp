@@ -30,7 +30,7 @@ KnobSetting substeps(int k) {
   return {.knob = "substeps", .value = std::to_string(k), .overrides = {}, .hold = k};
 }
 
-/// Contacts at the default step, bonds k times as often.
+/// Contacts at the default step, bonds with k sub-steps in it.
 KnobSetting substeps_within(int k) {
   return {.knob = "substeps_within", .value = std::to_string(k), .overrides = {safety(default_safety / k)}, .hold = k};
 }

@@ -8,30 +8,30 @@
 
 namespace gyro::bench {
 
-/// One point of a work-precision curve: a scene's case with one numerical choice made differently.
+/// One point of a work-precision curve: a scene's case with one numerical choice changed.
 struct KnobSetting {
   std::string knob;
   std::string value;                   ///< a number, or a word such as `double`
   std::vector<std::string> overrides;  ///< of the case, as in --set
-  int hold = 1;        ///< numerics.substeps, set behind the case's check so that its limit can be judged as well
-  double margin = 0;   ///< of neighbour lists / smallest radius; 0: the program's choice
-  bool exact = false;  ///< must change no bit: compared with the default setting instead of the reference
+  int hold = 1;                 ///< numerics.substeps, set after the check of the case, so that its limit can be tested
+  double margin = 0;            ///< of neighbour lists / smallest radius; 0: the program's choice
+  bool exact = false;           ///< must change no bit: compared with the default setting instead of the reference
   bool to_first_break = false;  ///< the run ends with the window in which the first bond breaks
 };
 
-/// The overrides, with the hold as a case would ask for it.
+/// The overrides, with the hold as numerics.substeps of a case.
 std::vector<std::string> as_overrides(const KnobSetting& setting);
 
 /// All defaults.
 KnobSetting default_setting();
 
-/// Everything that is tried on a scene, the default first. Physics (damping, moduli) is no knob.
-/// @param quick  two or three points
+/// All settings for a scene, the default first. Physical parameters (damping, moduli) are not varied.
+/// @param quick  two or three points for each knob
 std::vector<KnobSetting> settings_of(const AccuracyScene& scene, bool quick);
 
 /// Double, a sixteenth of the default step, windows of 50 us.
 KnobSetting reference_setting();
-/// The same at twice the step, up to the first break: it bounds the reference's own error on the way there.
+/// The same at twice the step, up to the first break; it bounds the error of the reference until then.
 KnobSetting coarse_reference_setting();
 
 }  // namespace gyro::bench

@@ -18,7 +18,7 @@
 namespace gyro::bench {
 namespace {
 
-/// Processor time of the calling thread [s]: what a step costs, whoever else uses the machine.
+/// Processor time of the calling thread [s], which does not depend on other programs on the machine.
 double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -41,9 +41,9 @@ double smallest_radius(const Setup& setup) {
   return smallest;
 }
 
-/// Sets what no case can ask for: skins of neighbour lists, and holds beyond what the check of a case allows.
+/// Sets what a case cannot: skins of neighbour lists, and holds beyond the limit of the check of a case.
 void apply(const KnobSetting& setting, double window, Setup& setup) {
-  setup.inspection_interval = 0;  // nothing is removed
+  setup.inspection_interval = 0;  // no particle is removed
   if (setting.margin > 0) setup.scene.neighbour_skin = setting.margin * smallest_radius(setup);
   if (setting.hold == 1) return;
   setup.steps_per_window = setting.hold * static_cast<int>(std::ceil(1.0 * setup.steps_per_window / setting.hold));
@@ -51,7 +51,7 @@ void apply(const KnobSetting& setting, double window, Setup& setup) {
   setup.scene.substeps = setting.hold;
 }
 
-/// Wall whose force and work count.
+/// Index of the wall whose force and work are measured.
 std::size_t tool_of(const AccuracyScene& scene, const Setup& setup) {
   if (scene.tool.empty()) return static_cast<std::size_t>(gyrating_wall(setup.scene));
   const auto& walls = setup.scene.walls;
@@ -60,7 +60,7 @@ std::size_t tool_of(const AccuracyScene& scene, const Setup& setup) {
   return static_cast<std::size_t>(found - walls.begin());
 }
 
-/// A run and what is noted down about it.
+/// A run and the quantities recorded from it.
 struct Watched {
   Simulation& simulation;
   std::size_t tool;

@@ -18,24 +18,24 @@ struct Member {
   int seed;
 };
 
-/// What came of it.
+/// Results of a member.
 struct MemberResult {
-  std::map<std::string, double> values;  ///< by metric; not a number where there was nothing to measure
-  double cpu_seconds = 0;                ///< of the one thread, stepping only: no set-up, no look at fragments
+  std::map<std::string, double> values;  ///< by metric; NaN if there was nothing to measure
+  double cpu_seconds = 0;                ///< of its one thread for stepping, without set-up and evaluation of fragments
   double simulated_seconds = 0;
   double time_step = 0, time_step_limit = 0;  ///< [s]
-  std::optional<std::string> stopped;         ///< by the guard, and why
+  std::optional<std::string> stopped;         ///< reason, if the guard stopped it
 };
 
 /// Runs a member on the calling thread.
 /// @throws BadInput for a bad case or setting
 MemberResult run_member(const Member& member);
 
-/// Why a case may not ask for a setting; empty if it may.
+/// Reason why a case may not use this setting; empty if it may.
 std::string refusal(const Member& member);
 
-/// Text that tells whether a scene is still the one that a reference was made with: of its case and
-/// the tables it names, comments and blanks at the ends of lines apart. FNV-1a, 64 bits, in hexadecimal.
+/// Hash of a scene's case and tables without comments and blanks at the ends of lines; shows whether the scene has
+/// changed since a reference was made. FNV-1a, 64 bits, in hexadecimal.
 std::string fingerprint(const AccuracyScene& scene, const std::filesystem::path& folder);
 
 }  // namespace gyro::bench

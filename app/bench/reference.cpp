@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The whole file; an empty object where there is none.
+/// The content of the file; an empty object if it does not exist.
 json read_all(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return json::object();
   const json all = json::parse(read_file(file), nullptr, false);
@@ -41,14 +41,14 @@ Reference::Table coarse_table(const Ensemble& ensemble, const AccuracyScene& sce
   return table;
 }
 
-/// Metrics that the coarse table lacks are not a number for any seed.
+/// Metrics that the coarse table lacks are NaN for all seeds.
 Reference::Table read_table(const json& values, const AccuracyScene& scene, std::size_t seeds) {
   Reference::Table table;
   for (const Metric& metric : scene.metrics)
     if (!values.contains(metric.name) && !known_at_first_break(metric))
       table[metric.name].assign(seeds, std::numeric_limits<double>::quiet_NaN());
   for (const auto& [name, row] : values.items())
-    for (const json& x : row)  // null: nothing was there to measure
+    for (const json& x : row)  // null: there was nothing to measure
       table[name].push_back(x.is_null() ? std::numeric_limits<double>::quiet_NaN() : x.get<double>());
   return table;
 }
@@ -128,7 +128,7 @@ Reference read_reference(const std::filesystem::path& file, const AccuracyScene&
   } catch (const json::exception& problem) {
     throw BadInput(file.string() + ": " + problem.what() + "; " + how_to_make);
   } catch (const std::out_of_range& metric) {
-    throw BadInput(file.string() + ": " + scene.name + " has not every metric for every seed; " + how_to_make);
+    throw BadInput(file.string() + ": the reference of " + scene.name + " lacks a metric or a seed; " + how_to_make);
   }
 }
 

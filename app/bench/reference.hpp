@@ -15,7 +15,7 @@ struct Reference {
   using Table = std::map<std::string, std::vector<double>>;  ///< values by metric, by seed
 
   Table fine;    ///< a sixteenth of the default step
-  Table coarse;  ///< an eighth, up to the first break: there the difference bounds the error of `fine`
+  Table coarse;  ///< an eighth, up to the first break; until then the difference bounds the error of `fine`
   int seeds = 0;
   double time_step = 0;  ///< of `fine` [s]
   double cpu_per_simulated_second = 0;
@@ -25,14 +25,14 @@ struct Reference {
 /// Runs the reference of a scene.
 Reference make_reference(const AccuracyScene& scene, const std::filesystem::path& folder, int threads);
 
-/// Puts a scene's reference into the file, beside those of other scenes. @throws OutputError
+/// Writes a scene's reference into the file and keeps those of other scenes. @throws OutputError
 void write_reference(const std::filesystem::path& file, const std::string& scene, const Reference& reference);
 
-/// Whether the file has a reference of a scene. @throws BadInput for a file that is no JSON
+/// Whether the file has a reference of a scene. @throws BadInput if the file is not JSON
 bool has_reference(const std::filesystem::path& file, const std::string& scene);
 
-/// Reference of a scene, made with the scene's files as they are.
-/// @throws BadInput where there is none, or it was made with other files
+/// Reference of a scene, if it was made with the present files of the scene.
+/// @throws BadInput if there is none, or it was made with other files
 Reference read_reference(const std::filesystem::path& file, const AccuracyScene& scene,
                          const std::filesystem::path& folder);
 

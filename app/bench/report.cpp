@@ -21,7 +21,7 @@ const char* name_of(Family family) {
   return "invariant";
 }
 
-/// Nothing beyond chance: within two standard errors of zero, and not exactly zero.
+/// Whether an error is not significant: within two standard errors of zero, and not exactly zero.
 bool within_noise(const PointMetric& m) {
   return m.metric.family == Family::ensemble && m.deviation.error > 0 && m.deviation.error <= 2 * m.deviation.error_se;
 }
@@ -34,7 +34,7 @@ std::string cell(const PointMetric& m) {
   return text;
 }
 
-/// A number where the text is one.
+/// The text as a JSON number if it is a number, otherwise as a string.
 nlohmann::json value_of(const std::string& text) {
   const nlohmann::json number = nlohmann::json::parse(text, nullptr, false);
   return number.is_number() ? number : nlohmann::json(text);

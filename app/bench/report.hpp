@@ -7,10 +7,9 @@
 
 namespace gyro::bench {
 
-/// Head of a scene's table: what it is, how the reference was made, its values and its noise.
+/// Head of a scene's table: title, how the reference was made, its values and its noise.
 void print_head(const AccuracyScene& scene, const Reference& reference);
-/// A line of the table: cost, and error +- standard error by metric. `~`: no different from zero at two standard
-/// errors.
+/// A line of the table: cost, and error +- standard error by metric. `~`: within two standard errors of zero.
 void print(const Point& point);
 
 /// A point as `bench accuracy --json` gives it, one object for each metric.

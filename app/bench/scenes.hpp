@@ -9,19 +9,19 @@
 
 namespace gyro::bench {
 
-/// A quantity of a run that is held against the reference.
+/// A quantity of a run that is compared with the reference.
 struct Metric {
   std::string name, unit;
   Family family;
 };
 
-/// A reference scene: a case file, what counts in it, and how many strength seeds make its ensemble.
+/// A reference scene: a case file, its metrics, and the number of strength seeds of its ensemble.
 struct AccuracyScene {
   std::string name;  ///< NAME.yaml in the folder of the scenes
   std::string title;
-  std::string tool;  ///< wall whose force and work count; empty: the mantle
+  std::string tool;  ///< wall whose force and work are measured; empty: the mantle
   std::vector<Metric> metrics;
-  int seeds;  ///< 1, 2, ... seeds
+  int seeds;  ///< number of seeds 1, 2, ...
 };
 
 /// The scenes R1 to R3.

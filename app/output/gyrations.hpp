@@ -41,7 +41,7 @@ struct GyrationRecord {
   }
 };
 
-/// A coupling window, as far as gyrations need it.
+/// Quantities of a coupling window that gyrations need.
 struct GyrationWindow {
   double time = 0, length = 0;              ///< end and length [s]
   double angle = 0;                         ///< of the eccentric at the end [rad]
@@ -51,7 +51,7 @@ struct GyrationWindow {
   std::span<const double> sieve_mass = {};  ///< discharged since the start by sieve [kg]
 };
 
-/// Collects windows to whole gyrations, by the angle of the eccentric.
+/// Collects windows into whole gyrations, by the angle of the eccentric.
 class GyrationReader {
  public:
   void add(const GyrationWindow& window);
@@ -66,7 +66,7 @@ class GyrationReader {
     double begin = 0;                               ///< of the present gyration [s]
     double length = 0;                              ///< of its windows so far [s]
     double power = 0, motor_power = 0, holdup = 0;  ///< sums of value x window length in it [J], [kg s]
-    double turns = 0;                               ///< whole turns at its begin
+    double turns = 0;                               ///< whole revolutions at its beginning
     double discharged = 0;                          ///< mass discharged by its begin [kg]
     std::vector<double> sieve_mass;                 ///< the same by sieve [kg]
 

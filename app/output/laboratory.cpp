@@ -15,12 +15,12 @@ namespace {
 
 using Test = CaseLaboratory::Test;
 
-constexpr double fallen = 0.7;                      // of the largest force: a cylinder has failed
-constexpr double split = 2.0 / 3;                   // of the mass: a rock whose largest fragment is smaller has split
-constexpr double contact_share = 0.005;             // of the failure force: the platen has met the rock
+constexpr double fallen = 0.7;                      // of the largest force; below it a cylinder has failed
+constexpr double split = 2.0 / 3;                   // of the mass; a rock whose largest fragment is smaller has split
+constexpr double contact_share = 0.005;             // of the failure force; above it there is contact
 constexpr double slope_from = 0.2, slope_to = 0.6;  // of the failure force
 
-constexpr std::size_t first_breaks = 20;  // they show where a disc begins to fail
+constexpr std::size_t first_breaks = 20;  // number of breaks that show where a disc begins to fail
 
 std::string name_of(Test test) {
   return test == Test::platen ? "platen" : test == Test::brazilian ? "brazilian" : "uniaxial";
@@ -52,7 +52,7 @@ Peak peak_of_lump(const Compression& c) {
   return peak;
 }
 
-/// The largest force of all, if the force has fallen from there.
+/// The largest force, if the force has fallen after it.
 Peak peak_of_cylinder(const Compression& c) {
   Peak peak{static_cast<std::size_t>(std::max_element(c.force.begin(), c.force.end()) - c.force.begin()), false};
   for (std::size_t k = peak.row; k < c.force.size() && !peak.failed; ++k)
@@ -67,7 +67,7 @@ std::optional<std::size_t> first_break(const Compression& c) {
   return std::min(static_cast<std::size_t>(row), c.time.size() - 1);
 }
 
-/// First row from which on the platen keeps pressing until something breaks.
+/// First row after which the platen stays in contact until a bond breaks.
 std::size_t first_contact(const Compression& c, std::size_t peak) {
   std::size_t row = std::min(peak, first_break(c).value_or(peak));
   while (row > 0 && c.force[row - 1] > contact_share * c.force[peak]) --row;
@@ -86,7 +86,7 @@ double displacement_at(const std::vector<CurvePoint>& curve, double force) {
   return curve.back().displacement;
 }
 
-/// Share of the first breaks in the middle third between the platens; a third if they were anywhere.
+/// Share of the first breaks in the middle third between the platens; 1/3 if they are uniformly distributed.
 double middle_share(const std::vector<Compression::Break>& breaks) {
   const auto end = breaks.begin() + static_cast<std::ptrdiff_t>(std::min(first_breaks, breaks.size()));
   const auto middle =
@@ -115,7 +115,7 @@ std::optional<double> slope_between(const std::vector<CurvePoint>& curve, double
   return regression_slope(displacement, force);
 }
 
-/// Figures that need a failure at this force.
+/// Figures for a specimen that fails at this force.
 void add_failure(LaboratoryFigures& f, const Compression& c, const std::vector<CurvePoint>& curve, double force) {
   f.failure_force = force;
   f.failure_displacement = displacement_at(curve, force);
@@ -134,13 +134,13 @@ Vec3d velocity_of(const Assembly& assembly, Index wall) {
   return linear ? linear->velocity : Vec3d{0, 0, 0};
 }
 
-/// Force with which a platen presses, by series row.
+/// Compressive force of a platen, by row of the series.
 std::vector<double> pressing_force(const hdf5::File& file, const Case& input, Index wall, const Vec3d& normal) {
   const std::vector<double> forces =
       file.dataset("/series/wall_force_" + input.walls[static_cast<std::size_t>(wall)].name).read();
   std::vector<double> pressing;
   for (std::size_t k = 0; k + 2 < forces.size(); k += 3)
-    pressing.push_back(0.0 - dot(Vec3d{forces[k], forces[k + 1], forces[k + 2]}, normal));  // never -0
+    pressing.push_back(0.0 - dot(Vec3d{forces[k], forces[k + 1], forces[k + 2]}, normal));  // 0.0 - x avoids -0
   return pressing;
 }
 
@@ -157,7 +157,7 @@ LaboratoryReport evaluate(Compression c) {
   c.breaks.erase(c.breaks.begin(), c.breaks.begin() + static_cast<std::ptrdiff_t>(before));
   const Peak peak = c.test == Test::uniaxial ? peak_of_cylinder(c) : peak_of_lump(c);
   const double largest = c.force[peak.row];
-  if (!(largest > 0)) return report;  // they never met
+  if (!(largest > 0)) return report;  // the platen never touched the rock
   const std::size_t contact = first_contact(c, peak.row);
   f.size = c.gap - c.closing_speed * c.time[contact];
   for (std::size_t k = contact; k < c.force.size(); ++k)

@@ -10,7 +10,7 @@
 
 namespace gyro {
 
-/// What a test measured by time, and what the test needs to know besides.
+/// Measurements of a test over time, and the data that its evaluation needs.
 struct Compression {
   struct Break {
     double time;
@@ -18,7 +18,7 @@ struct Compression {
   };
   CaseLaboratory::Test test = CaseLaboratory::Test::platen;
   std::vector<double> time, force;       ///< mean of both platens, so that inertia cancels [s], [N]
-  double begin = 0;                      ///< the moving platen bears nothing until then [s]
+  double begin = 0;                      ///< time until which the moving platen has no load [s]
   std::vector<double> largest_fragment;  ///< mass [kg]
   std::vector<Break> breaks;             ///< of bonds, in the order of time
   double gap = 0;                        ///< between the platens at t = 0 [m]
@@ -26,7 +26,7 @@ struct Compression {
   double diameter = 0, length = 0;       ///< of a cylinder [m]
 };
 
-/// A point of the curve from first contact on.
+/// A point of the force-displacement curve, which begins at first contact.
 struct CurvePoint {
   double displacement, force;  ///< [m], [N]
 };
@@ -39,14 +39,14 @@ struct LaboratoryReport {
 /// A lump or a disc pressed from two sides splits: it has failed when its largest fragment has less than 2/3 of its
 /// mass, and the failure force is the largest until then; the force may fall and rise again before, while corners are
 /// crushed. Of a cylinder pressed along its axis it is the largest of all, if the force has fallen by 30 % from there
-/// after a bond broke. Breaks count from the moment on when the moving platen first bears a force: a rock that falls
+/// after a bond broke. Breaks count from the moment when the moving platen first has a load, because a rock that falls
 /// onto the fixed one may lose bonds before. Contact is where the force last rises above 0.5 % of the failure force
 /// before the first of them. Strengths: platen 0.9 F/d^2, d the distance of the platens at contact (Hiramatsu & Oka,
 /// Int. J. Rock Mech. Min. Sci. 3 (1966) 89); brazilian 2 F/(pi D t) (ISRM suggested method, Int. J. Rock Mech. Min.
 /// Sci. 15 (1978) 99) without a correction for flats; uniaxial F/A.
 LaboratoryReport evaluate(Compression compression);
 
-/// Reads what a run has measured from a closed results.h5.
+/// Reads the measurements of a run from a closed results.h5.
 Compression measured_compression(const Case& input, const Assembly& assembly, const std::filesystem::path& results);
 
 /// Evaluates a finished run and writes force_displacement.csv beside its results. @throws OutputError

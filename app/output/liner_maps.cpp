@@ -20,7 +20,7 @@ std::vector<double> edges(double low, double high, int count) {
   return result;
 }
 
-/// Mean pressure from impulses: over an area and a time.
+/// Mean pressure from impulses over an area and a time [Pa].
 std::vector<double> pressure(const std::vector<double>& impulse, const std::vector<double>& area, double time) {
   std::vector<double> result(impulse.size(), 0.0);
   for (std::size_t k = 0; k < impulse.size(); ++k)
@@ -43,7 +43,7 @@ struct SavedSums {
 
 SurfaceSums sums_of(std::vector<double> impulse, std::vector<double> work, std::size_t pieces) {
   if (impulse.size() != pieces || work.size() != pieces)
-    throw BadInput("has maps of the liners of another size; resume with the same output.liners");
+    throw BadInput("has liner maps of another size; resume with the same output.liners");
   SurfaceSums sums(0);
   sums.impulse = std::move(impulse);
   sums.work = std::move(work);

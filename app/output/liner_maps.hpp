@@ -11,20 +11,20 @@
 
 namespace gyro {
 
-/// The maps of `output.liners`: where rock presses on the walls and slides along them.
+/// The maps of `output.liners`: pressure, sliding work and wear of the walls.
 class LinerMaps {
  public:
-  /// Of every wall but planes, on its picture. None when the case does not ask for maps.
+  /// Maps every wall except planes, on the mesh of its picture. No maps if the case does not ask for them.
   LinerMaps(const Case& input, const Assembly& assembly);
 
   /// Adds the groups of the maps to what results.h5 must have.
   void declare(ResultsContent& content) const;
-  /// Takes in what the rock did to the walls in a window; writes the maps that are due.
+  /// Adds the impulses of a window on the walls; writes the maps that are due.
   void take(const std::vector<WallImpulse>& impulses, double time, ResultsFile& results);
-  /// Writes what is left, and the maps by triangle.
+  /// Writes the last maps, and the maps by triangle.
   void close(ResultsFile& results);
 
-  /// What the rock has done to a wall so far; nothing without a map of it.
+  /// Loads of the rock on a wall since the start; none if the wall has no map.
   std::optional<WallLoads> loads(Index wall) const;
 
   void save(SavedState& to) const;

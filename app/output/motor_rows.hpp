@@ -9,7 +9,7 @@
 
 namespace gyro {
 
-/// The motor's power by rows of /series, as the summary needs it.
+/// The motor's power by rows of /series, for the summary.
 class MotorRows {
  public:
   /// Adds a coupling window to the present row. @param power  mean [W]
@@ -18,7 +18,7 @@ class MotorRows {
   void end_row(double time);
 
   /// Mean, 95th percentile and peak of the rows that begin at `from` [s] or later. None without such a row.
-  /// @param rated_power  of the motor [W]; none: it has no name plate
+  /// @param rated_power  of the motor [W]; none if it has no name plate
   std::optional<MotorFigures> figures(double from, std::optional<double> rated_power) const;
 
   void save(SavedState& to) const { to.put_one("output/motor", state_); }

@@ -9,13 +9,13 @@
 
 namespace gyro {
 
-/// What the outputs of a run can be.
+/// Which outputs a run has.
 OutputForm output_form(const Case& input, const Assembly& assembly);
 
-/// The window that the simulation has just done.
+/// The window that the simulation has just completed.
 WindowReading read_window(const WindowResult& result, const Simulation& simulation);
 
-/// The simulation as it is now. What only the caller knows is left out: interval, mass discharged before, wall clock.
+/// The present state of the simulation, without interval, mass discharged before and wall clock, which the caller sets.
 /// @param probes  ids of output.probes
 SeriesReading read_series(const Simulation& simulation, std::span<const std::uint32_t> probes);
 LedgerReading read_ledger(const Simulation& simulation);

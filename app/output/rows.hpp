@@ -22,7 +22,7 @@ class RowWriter {
   void write(ResultsFile& file, const Simulation& simulation, double wall_seconds);
 
   void save(SavedState& to) const;
-  /// @throws BadInput for what an output with other columns has saved
+  /// @throws BadInput for the state of an output with other columns
   void restore(const SavedState& from);
 
  private:

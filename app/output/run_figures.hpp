@@ -7,8 +7,8 @@
 
 namespace gyro {
 
-/// Adds what the run has come to so far: counts, residuals, and the figures of product and drive where there are such.
-/// The series must have been taken up to now.
+/// Adds the results of the run so far: counts, residuals, and the figures of product and drive if it has them.
+/// All windows so far must have been added to the output.
 void add_figures(Summary& summary, const Case& input, const Assembly& assembly, const Simulation& simulation,
                  const RunOutput& output);
 

@@ -21,12 +21,12 @@ ResultsRows saved_rows(const SavedState& saved) {
   return rows;
 }
 
-/// Intervals that are over at a time.
+/// Number of intervals that are complete at a time.
 std::int64_t intervals(double interval, double time) {
   return interval > 0 ? static_cast<std::int64_t>(std::floor(time / interval * (1 + 1e-9))) : 0;
 }
 
-/// Whether another interval is over.
+/// Whether another interval is complete.
 bool due(double interval, std::int64_t counted, double time) {
   return interval > 0 && time >= static_cast<double>(counted) * interval * (1 - 1e-9);
 }
@@ -54,7 +54,7 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
   maps_.restore(*saved);
   gyrations_.restore(*saved);
   motor_.restore(*saved);
-  // With another interval than before, the next frame is the first that lies ahead.
+  // If the interval has changed, the next frame is the first one after the present time.
   const CaseOutput& now = input_.output;
   if (now.snapshots != state_.snapshot_interval) state_.frames = intervals(now.snapshots, state_.time) + 1;
 }

@@ -16,24 +16,24 @@
 
 namespace gyro {
 
-/// What a run writes while it runs: results.h5 and the snapshots. What a case does not have gets no output.
+/// The files that a run writes while it runs: results.h5 and the snapshots. Only parts that the case has get output.
 class RunOutput {
  public:
-  /// @param saved  state of the output of a run that is resumed, else null; what the directory has beyond it is dropped
-  /// @throws BadInput for a directory that does not have what was written until then
+  /// @param saved  state of the output of a resumed run, otherwise null; later rows and snapshots are removed
+  /// @throws BadInput if the directory lacks output that was written before the saved state
   RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
             const std::filesystem::path& directory, const SavedState* saved = nullptr);
 
   /// Writes the snapshot of the start, if the case asks for snapshots.
   void begin(const Simulation& simulation);
-  /// Takes in a window; writes the row and the snapshot that are due.
+  /// Adds a window; writes the row and the snapshot if they are due.
   void take(const WindowResult& result, const Simulation& simulation);
-  /// Saves what a resumed run needs, between two windows.
+  /// Saves the state that a resumed run needs, between two windows.
   void save(SavedState& to) const;
   /// Waits until the disk has all rows: a checkpoint must never be ahead of them.
   void sync() { results_.sync(); }
   double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
-  /// Writes what is left and closes the files. @param simulation  inspected at its end
+  /// Writes the last row and closes the files. @param simulation  inspected at its end
   void close(const Simulation& simulation);
 
   double mean_crushing_power() const { return state_.time > 0 ? state_.crushing_work / state_.time : 0; }  ///< [W]
@@ -42,13 +42,13 @@ class RunOutput {
   const MotorRows& motor() const { return motor_; }
 
  private:
-  /// Everything that a checkpoint must keep beside the states of its parts.
+  /// Everything that a checkpoint must keep in addition to the states of its parts.
   struct State {
     double time = 0;                     ///< [s]
     double crushing_work = 0;            ///< since the start [J]
     double wall_seconds = 0;             ///< of the earlier parts of the run [s]
-    double snapshot_interval = 0;        ///< with which frames were counted [s]
-    std::int64_t frames = 0;             ///< intervals of output.snapshots that are over
+    double snapshot_interval = 0;        ///< interval with which `frames` was counted [s]
+    std::int64_t frames = 0;             ///< completed intervals of output.snapshots
     std::vector<double> snapshot_times;  ///< [s]
 
     template <class F, class... S>

@@ -85,7 +85,7 @@ Sums sums_of(const GyrationMeans& g, std::span<const double> sieve_mass) {
   return {1, time, g.power, g.motor_power, g.power * time, g.discharged, {sieve_mass.begin(), sieve_mass.end()}};
 }
 
-/// The gyrations from number `first` on, in blocks of nearly equal numbers of them.
+/// The gyrations from number `first` on, in blocks with nearly equal numbers of gyrations.
 std::vector<Sums> blocks_of(const GyrationRecord& record, std::size_t first) {
   constexpr std::size_t most = 10, shortest = 2;
   const std::size_t count = record.gyrations.size() - first;

@@ -13,13 +13,13 @@
 
 namespace gyro {
 
-/// What a crusher shows while it runs as it did before.
+/// Figures of a crusher in steady operation.
 ///
 /// Standard errors come from blocks of whole gyrations by the jackknife: with B blocks and a figure f_k of all but
 /// block k, error^2 = (B - 1)/B sum (f_k - mean f)^2 (Efron & Stein, Ann. Statist. 9 (1981) 586). For a mean of equal
 /// blocks that is the variance of the blocks / B; it holds for ratios and sieve sizes as well. A block is at least two
 /// gyrations and a tenth of the steady part, so that neighbouring blocks depend little on each other; the error itself
-/// is good to about 1 / sqrt(2 B - 2), a third with five blocks. None where a figure is not defined without a block.
+/// is good to about 1 / sqrt(2 B - 2), a third with five blocks. None if a figure is not defined without some block.
 struct SteadyState {
   double from = 0;                             ///< [s]
   std::size_t gyrations = 0, blocks = 0;       ///< whole gyrations since then, and blocks of them
@@ -32,10 +32,10 @@ struct SteadyState {
   std::optional<double> residence_time;        ///< mean hold-up / throughput (Little's law) [s]; none without discharge
 };
 
-/// When a drift counts as none.
+/// Limits below which a drift is neglected.
 struct SteadyLimits {
   std::size_t min_gyrations = 10;
-  double holdup_drift = 0.05;  ///< of its fitted line over the time looked at / mean [-]
+  double holdup_drift = 0.05;  ///< change of its fitted line over the evaluated time / mean [-]
   double speed_drift = 0.02;   ///< likewise of the duration of a gyration [-]
   double power_change = 0.05;  ///< between the two halves of that time / mean [-]
 };
@@ -43,8 +43,8 @@ struct SteadyLimits {
 /// The earliest gyration from which on, to the end of the run, hold-up, speed and power have no drift: the lines fitted
 /// to hold-up and to the duration of a gyration change by less than holdup_drift and speed_drift of their means, and
 /// the mean powers of both halves differ by less than power_change or two standard errors. None when there is no such
-/// gyration, or too few follow it: the run was not long enough to say so. A chamber that fills slower than this shows
-/// passes: look at the hold-up.
+/// gyration, or too few follow it because the run is too short. A chamber that fills more slowly than the limit
+/// also counts as steady: check the hold-up.
 /// @param sizes   openings [m] of SteadyState::below
 /// @param sieves  of GyrationRecord::sieve_mass [m]
 std::optional<SteadyState> steady_state(const GyrationRecord& record, std::span<const double> sizes = {},

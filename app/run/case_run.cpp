@@ -163,7 +163,7 @@ void CaseRun::mark_unfinished() const {
   write_summary(s, directory_.path);
 }
 
-/// Notes a failure in the directory, if that can still be written.
+/// Records a failure in the directory, if it can still be written.
 void CaseRun::fail(Summary& s, const std::string& reason) const {
   s.status = RunStatus::failed;
   s.reason = reason;

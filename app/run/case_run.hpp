@@ -22,15 +22,15 @@ struct RunOptions {
   RunDirectoryRequest directory;
   double end = 0;                      ///< simulated [s]
   std::optional<double> max_walltime;  ///< [s]
-  bool quiet = false;                  ///< no progress and no summary
+  bool quiet = false;                  ///< prints neither progress nor summary
 };
 
 /// One run of a case, from its first to its last window: the loop, with output, checkpoints, log and summary.
 class CaseRun {
  public:
-  /// Writes nothing before the case is known to be sound.
+  /// Writes nothing before all checks of the case have passed.
   /// @param input  kept by reference
-  /// @param saved  state of an earlier part of the run to continue from, else null
+  /// @param saved  state of an earlier part of the run, from which to continue; otherwise null
   /// @throws BadKey for a case that cannot be run; BadInput for a state that does not fit; NoDevice; OutputError
   CaseRun(const Case& input, const RunOptions& options, const SavedState* saved);
 
@@ -43,7 +43,7 @@ class CaseRun {
   CaseRecord record() const;
   void guarded_loop(Summary& summary);
   void loop(Summary& summary);
-  /// Why the run must end before its end; null while it need not.
+  /// Reason why the run must stop before its end; null if there is none.
   const char* stop_reason() const;
   ProgressState progress_state() const;
   double seconds_so_far() const;  ///< wall clock, with the run's earlier parts

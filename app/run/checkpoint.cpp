@@ -11,9 +11,9 @@
 namespace gyro {
 namespace {
 
-constexpr int min_rest = 100;  ///< time between two states in memory / time that one costs
+constexpr int min_rest = 100;  ///< minimum of time between two states in memory / time to make one
 
-/// The first file named by the case whose content differs from that of the checkpoint.
+/// The first input file of the case whose content differs from that of the checkpoint.
 std::string changed_input(const std::string& now, const std::string& then) {
   std::istringstream lines(now), earlier(then);
   std::string line, other;
@@ -26,8 +26,7 @@ void require_same(const Case& input, const std::string& resolved, const std::fil
   if (const auto differs = difference(input.resolved, resolved))
     throw BadKey(differs->key, differs->key + " is " + differs->value + ", in " + file.string() + " " + differs->other +
                                    "; only time.duration, output.series, output.snapshots and output.checkpoints may "
-                                   "change; --overwrite starts the "
-                                   "run again");
+                                   "change; restore the value, or start the run again with --overwrite");
 }
 
 }  // namespace

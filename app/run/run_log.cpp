@@ -11,7 +11,7 @@
 namespace gyro {
 namespace {
 
-constexpr double much_escaped = 1e-3;  // of the feed: more rock over the rim than this spoils throughput and hold-up
+constexpr double much_escaped = 1e-3;  // of the feed; more rock over the rim makes throughput and hold-up unreliable
 constexpr double hertz_overlap = 0.3;  // overlap / radius beyond which Hertz's law no longer describes the force
 
 }  // namespace
@@ -46,7 +46,7 @@ void RunLog::started(const Device& device, const StepChoice& step, const Simulat
 void RunLog::drive_fmu(const DriveFmu& fmu, const std::string& unsaveable) {
   log_.warning("the drivetrain is native code of " + fmu.file.string() + " (" + fmu.model_name +
                (fmu.generation_tool.empty() ? "" : ", " + fmu.generation_tool) +
-               "), which runs in a process of its own with your rights");
+               "), which runs in a separate process with your rights");
   if (fmu.needs_tool) log_.warning(fmu.file.filename().string() + " declares that it needs another program to run");
   if (!unsaveable.empty())
     log_.warning("this run has no checkpoints: " + unsaveable + "; --resume starts it at its beginning");

@@ -16,22 +16,22 @@ namespace gyro {
 /// The lines of a run's log.txt.
 class RunLog {
  public:
-  /// @param quiet  the first line is not shown on standard error as well
+  /// @param quiet  the first line is not printed on standard error
   RunLog(std::filesystem::path directory, bool quiet);
 
   void notes(const std::vector<std::string>& notes);
-  /// That the run continues from a checkpoint. @param writer  the program that wrote it
+  /// Logs that the run continues from a checkpoint. @param writer  the program that wrote it
   void resumed(const Simulation& simulation, const std::string& writer);
-  /// Program, device, step and size of the run.
+  /// Logs program, device, step and size of the run.
   void started(const Device& device, const StepChoice& step, const Simulation& simulation);
-  /// That the drivetrain is native code, and what that means.
+  /// Warns that the drivetrain is native code, and that the run has no checkpoints if its state cannot be saved.
   void drive_fmu(const DriveFmu& fmu, const std::string& unsaveable);
-  /// Messages and events of the drive since the last call.
+  /// Logs messages and events of the drive since the last call.
   void drive_events(Simulation& simulation);
   void stopped(const std::string& reason);
-  /// The summary as it is printed.
+  /// Logs the summary as it is printed.
   void summary(const std::string& text);
-  /// Time by phase, status, and warnings: of overlaps beyond Hertz's law, of rock that left over the rim.
+  /// Logs time by phase, status, and warnings about overlaps beyond Hertz's law and rock that left over the rim.
   void ended(const Simulation& simulation, RunStatus status);
 
  private:

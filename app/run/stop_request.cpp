@@ -10,7 +10,7 @@ namespace gyro {
 namespace {
 
 volatile std::sig_atomic_t signals_seen = 0;
-volatile std::sig_atomic_t exit_code_while_loading = 0;  ///< 0: the loop runs, which looks at signals_seen
+volatile std::sig_atomic_t exit_code_while_loading = 0;  ///< 0: the loop runs and checks signals_seen
 
 void say(std::string_view text) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
@@ -18,12 +18,12 @@ void say(std::string_view text) {
 
 extern "C" void on_signal(int signal) {
   if (exit_code_while_loading != 0) {
-    say("\nstopped while the case was loaded\n");
+    say("\nstopped while the case was being loaded\n");
     _exit(exit_code_while_loading);
   }
   if (signal == SIGINT && signals_seen > 0) _exit(130);
   if (signals_seen == 0)
-    say(signal == SIGINT ? "\nfinishing this window and writing a checkpoint; Ctrl-C again stops at once\n"
+    say(signal == SIGINT ? "\nfinishing this window and writing a checkpoint; press Ctrl-C again to stop at once\n"
                          : "\nfinishing this window and writing a checkpoint\n");
   signals_seen = signals_seen + 1;
 }
@@ -39,10 +39,10 @@ void catch_stop_signals(int exit_code) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGXCPU}) {
     struct sigaction before = {};
     sigaction(signal, nullptr, &before);
-    // Ignored already: `nohup`, or a shell's background job, which Ctrl-C does not concern.
+    // Signals that are already ignored remain ignored: under `nohup`, or Ctrl-C for a background job of a shell.
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
-  // Then a write fails with a reason, which is reported when everything else is in place.
+  // With these ignored, a failing write returns an error, which is reported after everything else is written.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -3,10 +3,10 @@
 
 namespace gyro {
 
-/// Catches SIGTERM, SIGINT, SIGHUP, SIGUSR1 and SIGXCPU, but for those that the caller of the program had ignored.
-/// Until stop_after_window() is called, the first of them ends the program. Writing to a closed pipe or beyond the
-/// largest size of a file becomes an error of that write.
-/// @param exit_code  of the program when a signal comes that early, not 0
+/// Catches SIGTERM, SIGINT, SIGHUP, SIGUSR1 and SIGXCPU, except those that the caller of the program ignores. Until
+/// stop_after_window() is called, the first of them ends the program. Writing to a closed pipe or beyond the size limit
+/// of files returns an error instead of ending the program.
+/// @param exit_code  of the program if a signal arrives before stop_after_window(); not 0
 void catch_stop_signals(int exit_code);
 
 /// From here on the first signal asks the run to end after its window; a second SIGINT ends the program at once with

@@ -55,7 +55,8 @@ std::string Ledger::passed_limit() const {
   std::ostringstream why;
   why.precision(4);
   if (!x.finite) {
-    why << "particle " << x.culprit << " has a position or velocity that is not finite; reduce time.safety, or check the start state around it";
+    why << "particle " << x.culprit
+        << " has a position or velocity that is not finite; reduce time.safety, or check the start state around it";
   } else if (x.overlap_ratio > maximum.overlap_ratio) {
     why << "a contact of particle " << x.culprit << " with ";
     if (x.wall == none)
@@ -75,7 +76,8 @@ std::string Ledger::passed_limit() const {
         << maximum.rotation << ". Reduce time.safety, or its angular velocity";
   } else if (x.bond_rotation > maximum.bond_rotation) {
     why << "a bond of particle " << x.twisted << " is bent by " << x.bond_rotation << " rad without failing; at most "
-        << maximum.bond_rotation << ". The bonds are too soft for their strength: raise their stiffness, or lower their "
+        << maximum.bond_rotation
+        << ". The bonds are too soft for their strength: raise their stiffness, or lower their "
         << "strength";
   }
   return why.str();

@@ -9,16 +9,17 @@
 
 namespace gyro {
 
-/// The spheres present, found by position. Sizes may differ widely: there is a hashed grid for each power of two of the
-/// radius.
+/// The spheres of a scene, for searches by position. Sizes may differ widely, because there is a hashed grid for each
+/// power of two of the radius.
 class Bed {
  public:
+  /// @param centre, radius  [m]
   void add(const Vec3d& centre, double radius);
   std::size_t size() const { return spheres_.size(); }
 
-  /// The height to which a sphere at this position must be raised to be clear of one that it
-  /// overlaps [m]; its own height if it overlaps none. Repeated until it no longer changes, this gives
-  /// the lowest free height, whatever the order of the spheres.
+  /// The height to which a sphere at this position must be raised so that it no longer overlaps one sphere of the bed
+  /// [m]; its own height if it overlaps none. Repeated until it no longer changes, this gives the lowest free height,
+  /// in any order of the spheres.
   /// @param gap  minimum distance between the surfaces [m]
   double raised(const Vec3d& centre, double radius, double gap) const;
 

@@ -54,16 +54,17 @@ Feed::Feed(const RockLibrary& library, FeedPlan plan, std::span<const Wall> wall
 }
 
 void Feed::check_plan() const {
-  if (library_.rocks.empty()) throw BadInput("the feed has no rocks to draw; the library must have at least one");
+  if (library_.rocks.empty()) throw BadInput("the feed has no rocks; the library must have at least one");
   for (const double m : {plan_.initial, plan_.batch, plan_.rate, plan_.start}) {
     if (!(m >= 0)) throw BadInput("every feed mass, rate and start must be >= 0");
   }
   if (!(plan_.clearance > 0 && plan_.retry > 0 && plan_.positions > 0 && plan_.improvements >= 0)) {
     throw BadInput("the feed's clearance, retry time and number of positions must be > 0, its improvements >= 0");
   }
-  if (plan_.initial > 0 && !charge_) throw BadInput("the feed has an initial mass but no region for it");
+  if (plan_.initial > 0 && !charge_)
+    throw BadInput("the feed has an initial mass but no region for it; give the region of the charge");
   if ((plan_.batch > 0 || plan_.rate > 0) && !entry_) {
-    throw BadInput("the feed has a batch or a rate but no region where it enters");
+    throw BadInput("the feed has a batch or a rate but no region where it enters; give the entry region");
   }
   // The mass fed is within half a rock of the mass owed, so less than half of the lightest rock would feed none.
   const double minimum = *std::min_element(masses_.begin(), masses_.end()) / 2;
@@ -74,7 +75,7 @@ void Feed::check_plan() const {
   }
   if (plan_.initial > 0) check_fits("a particle", *charge_, 2 * largest_radius_);
   if (!entry_) return;
-  // A rock that never fits would wait for ever and block all that follow.
+  // A rock that never fits would wait indefinitely and block all that follow.
   for (const RockTemplate& rock : library_.rocks) check_fits("a rock", *entry_, 2 * rock.bounding_radius);
 }
 

@@ -19,9 +19,9 @@ using BondStrength = std::function<double(RockId rock, ParticleId i, ParticleId 
 
 /// One rock at a given position, at rest at t = 0.
 struct FixedRock {
-  Index rock;  ///< in the library
-  Vec3d position;
-  Quatd orientation{1, 0, 0, 0};
+  Index rock;                     ///< number in the library
+  Vec3d position;                 ///< of the centre of mass [m]
+  Quatd orientation{1, 0, 0, 0};  ///< from the frame of the template to the world
 };
 
 /// Masses, regions and times of the feed. All rocks start at rest.
@@ -29,20 +29,20 @@ struct FeedPlan {
   double initial = 0;            ///< mass in the chamber at t = 0 [kg]
   double batch = 0;              ///< mass owed at once at `start` [kg]
   double rate = 0;               ///< from `start` on [kg/s]
-  double start = 0;              ///< [s]
+  double start = 0;              ///< time at which batch and rate begin [s]
   std::vector<FixedRock> fixed;  ///< placed before all others, in addition to the masses above
-  std::optional<Region> charge;  ///< where the initial charge goes; needed with `initial`
-  std::optional<Region> entry;   ///< where batch and rate enter; needed with them
+  std::optional<Region> charge;  ///< region of the initial charge; required with `initial`
+  std::optional<Region> entry;   ///< region where batch and rate enter; required with them
   double clearance = 1e-4;       ///< minimum gap to other spheres and walls at insertion [m]
   double retry = 0.01;           ///< time between two attempts while the entry is full [s]
   int positions = 24;            ///< random positions tried for each rock
   int improvements = 48;         ///< small moves tried from the best of them, initial charge only
   std::uint64_t seed = 0;
-  RockId first_rock = 0;          ///< the feed numbers its rocks from here
-  ParticleId first_particle = 0;  ///< and its particles from here
+  RockId first_rock = 0;          ///< number of the first rock of the feed
+  ParticleId first_particle = 0;  ///< id of the first particle of the feed
 };
 
-/// Rocks and mass fed so far. Counts are exact, the mass follows from them.
+/// Rocks and mass fed so far. Counts are exact; the mass is computed from them.
 struct FeedAccount {
   std::int64_t rocks = 0, particles = 0, bonds = 0;
   double mass = 0;           ///< [kg]
@@ -50,8 +50,8 @@ struct FeedAccount {
   double waiting = 0;        ///< mass that was owed at the last call of `due` and had no room [kg]
 };
 
-/// The feed: draws rocks of a library and inserts them without overlap. Every rock's kind, orientation
-/// and position are functions of (seed, rock number, particles present).
+/// The feed: draws rocks of a library and inserts them without overlap. Template, orientation and position of a rock
+/// are functions of (seed, rock number, particles present).
 ///
 /// Each template of the library stands for an equal share of the mass of the feed: templates are
 /// drawn with probability proportional to 1/mass. The mass fed is within half a rock of the mass owed.
@@ -82,27 +82,28 @@ class Feed {
 
   /// @param library   must outlive the feed
   /// @param walls     of the scene
-  /// @param strength  empty: every bond has strength 1
+  /// @param strength  empty: the factor is 1 for every bond
   /// @throws BadInput if the plan is impossible: no rocks, no region, rocks larger than the region
   Feed(const RockLibrary& library, FeedPlan plan, std::span<const Wall> walls, BondStrength strength = {});
 
-  /// Fixed rocks and the initial charge. Each rock gets the lowest of many positions.
+  /// Fixed rocks and the initial charge. Each rock of the charge gets the lowest of many positions.
   /// @param poses    of the walls at t = 0
   /// @param present  particles in the scene
-  /// @throws BadInput if a fixed rock touches something or the charge does not fit
+  /// @throws BadInput if a fixed rock overlaps something or the charge does not fit
   std::vector<NewRock> initial(std::span<const WallPose> poses, const ParticleSnapshot& present = {});
 
-  /// Whether `due` may return rocks: cheap, for every window.
+  /// Whether `due` may return rocks at this time [s]. It is cheap enough for every window.
   bool wants(double time) const;
 
-  /// Rocks whose mass is owed at this time and that find room. A rock without room waits and is tried
-  /// again every `retry`; it is never dropped, and rocks keep their order.
+  /// Rocks whose mass is owed at this time [s] and for which there is room. A rock without room waits and is tried
+  /// again every `retry`. No rock is dropped, and rocks keep their order.
   /// @param poses  of the walls now
   std::vector<NewRock> due(double time, std::span<const WallPose> poses, const ParticleSnapshot& present);
 
   /// Mass that batch and rate should have fed by this time [kg].
   double owed(double time) const;
   FeedAccount account() const;
+  /// Mass of a rock of this template [kg].
   double template_mass(Index kind) const { return masses_[static_cast<std::size_t>(kind)]; }
   const State& state() const { return state_; }
   void restore(State state) { state_ = std::move(state); }

@@ -23,7 +23,7 @@ Vec3d on_ring(double inner, double outer, double u, double v) {
 
 const Wall& wall_of(std::span<const Wall> walls, Index k) {
   if (k < 0 || static_cast<std::size_t>(k) >= walls.size()) {
-    throw BadInput("the feed's chamber names a wall that the scene does not have");
+    throw BadInput("the feed's chamber refers to a wall that does not exist; name walls of the scene");
   }
   return walls[static_cast<std::size_t>(k)];
 }
@@ -64,7 +64,7 @@ double FeedRegion::narrowest() const {
     return std::min(height, std::min(box->high.x - box->low.x, box->high.y - box->low.y));
   }
   if (const auto* cylinder = std::get_if<CylinderRegion>(&region_)) return std::min(height, 2 * cylinder->radius);
-  // A chamber widens: its widest gap counts.
+  // The gap of a chamber changes with height; its widest gap counts.
   double widest = 0;
   for (int k = 0; k <= 64; ++k) {
     const double z = low_ + k * height / 64;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The random numbers of one rock, in order of use.
+/// The random numbers of one rock, in the order of use.
 struct Draws {
   std::uint64_t seed, rock;
   std::uint32_t position, orientation;

@@ -14,22 +14,24 @@
 
 namespace gyro {
 
-/// Position and orientation of a rock's centre of mass.
+/// Pose of a rock that is placed.
 struct RockPose {
-  Vec3d position;
-  Quatd orientation;
+  Vec3d position;     ///< of the centre of mass [m]
+  Quatd orientation;  ///< from the frame of the template to the world
 };
 
 /// Unit quaternion, uniform over all rotations (Shoemake 1992, Graphics Gems III).
 /// @param u, v, w  uniform in (0, 1)
 Quatd uniform_orientation(double u, double v, double w);
 
-/// Walls as the placement of rocks needs them; made once.
+/// The walls with their distances, for the placement of rocks; made once.
 class WallSet {
  public:
+  /// @param largest_radius  of any particle [m]
+  /// @param gap             minimum distance of spheres and walls [m]
   WallSet(std::span<const Wall> walls, double largest_radius, double gap);
 
-  /// Moves the walls to these poses. @param poses  one per wall
+  /// Moves the walls to these poses, one per wall.
   void move(std::span<const WallPose> poses);
   /// Smallest distance of a point to any wall [m], see WallDistance.
   double distance(const Vec3d& point) const;
@@ -40,22 +42,22 @@ class WallSet {
   std::vector<WallPose> poses_;
 };
 
-/// A region in the form that placement needs: draws positions in it and tells whether spheres are inside.
+/// A region for placement: draws positions in it and checks whether spheres are inside.
 class FeedRegion {
  public:
   FeedRegion(const Region& region, std::span<const Wall> walls);
 
-  double low() const { return low_; }
-  double high() const { return high_; }
-  /// Largest sphere that the region can hold [m].
+  double low() const { return low_; }    ///< height of its foot [m]
+  double high() const { return high_; }  ///< height of its top [m]
+  /// Radius of the largest sphere that fits into the region [m].
   double largest_radius() const;
   /// Smallest extent across or along z [m].
   double narrowest() const;
   /// A random point (x, y, 0) of the region's section at the height at which the rock is expected.
   /// @param u, v  uniform in (0, 1)
   Vec3d draw(double height, double u, double v) const;
-  /// The height to try next for a sphere at this position [m]: its own if it lies within the region's
-  /// sides, infinite if it does so at no height.
+  /// The height to try next for a sphere at this position [m]: its own height if it lies within the region's sides,
+  /// infinity if it does not at any height.
   double raised(const WallSet& walls, const Vec3d& centre, double radius) const;
   /// Corners of a box around the region.
   BoxRegion bounds() const;
@@ -74,18 +76,19 @@ struct Search {
   std::uint64_t rock;     ///< number of the rock, a key of the random draws
   int positions;          ///< random positions
   int improvements;       ///< small moves from the best
-  std::uint32_t attempt;  ///< number of attempts before: each draws other positions
+  std::uint32_t attempt;  ///< number of earlier attempts; each draws other positions
   double expected_top;    ///< positions are drawn between the region's foot and this height [m]
 };
 
 /// Finds positions for rocks between spheres, walls and a region's bounds.
 class Placement {
  public:
+  /// @param gap  minimum distance of spheres and walls [m]; the other arguments must outlive the placement
   Placement(const FeedRegion& region, const WallSet& walls, const Bed& bed, double gap)
       : region_(region), walls_(walls), bed_(bed), gap_(gap) {}
 
-  /// The lowest of many random positions, improved by small shifts and rotations that let the
-  /// rock sink. None if no position was free.
+  /// The lowest of many random positions, improved by small shifts and rotations that lower the rock. None if no
+  /// position was free.
   std::optional<RockPose> lowest(const RockTemplate& rock, const Search& search) const;
 
   /// Lowest free height of the rock's centre at (x, y), up to a limit [m]; infinite if there is none.

@@ -85,7 +85,7 @@ Range radii_of(const std::vector<Vec3d>& polygon) {
     left = left || twice_area > rounding;
     right = right || twice_area < -rounding;
   }
-  if (left != right) r.low = 0;  // the axis pierces it
+  if (left != right) r.low = 0;  // the axis passes through it
   return r;
 }
 
@@ -112,7 +112,7 @@ RadiusByHeight::RadiusByHeight(const Wall& wall, Side side) : side_(side) {
       kept = outer ? std::min(kept, r.low) : std::max(kept, r.high);
     }
   }
-  // Where a mesh has a gap all around, it gets the radius below the gap, or at its foot the radius above.
+  // A slice in which the mesh has no triangles gets the radius below it, or at the foot the radius above it.
   const auto known = [](double r) { return r < std::numeric_limits<double>::infinity(); };
   double last = *std::find_if(radius_.begin(), radius_.end(), known);
   for (double& r : radius_) last = r = known(r) ? r : last;

@@ -19,8 +19,8 @@ struct CylinderRegion {
   double radius, height;
 };
 
-/// Ring between two walls about the z axis, or the inside of one. Above the outer wall it continues
-/// as the cylinder of that wall's opening.
+/// Ring between two walls about the z axis, or the inside of one wall. Above the outer wall it continues as a cylinder
+/// with the radius of that wall's opening.
 struct ChamberRegion {
   Index outer;         ///< wall, the concave
   Index inner = none;  ///< wall, the mantle
@@ -39,11 +39,11 @@ class RadiusByHeight {
   /// @throws BadInput if the wall is a plane, which has no radius about the z axis
   RadiusByHeight(const Wall& wall, Side side);
 
-  /// Outer: smallest radius of the wall at this height, at its ends beyond them.
-  /// Inner: largest radius; 0 above the wall, its lowest radius below it [m].
+  /// Radius at a height [m]. Outer: the smallest radius of the wall; beyond its ends, that of the end. Inner: the
+  /// largest radius; 0 above the wall, the radius of its lower end below it.
   double at(double z) const;
-  double low() const { return low_; }
-  double high() const { return high_; }
+  double low() const { return low_; }    ///< lower end of the wall [m]
+  double high() const { return high_; }  ///< upper end of the wall [m]
 
  private:
   Side side_;
@@ -51,7 +51,7 @@ class RadiusByHeight {
   std::vector<double> radius_;  ///< of equal slices of height, on the safe side
 };
 
-/// Cylinder of the given height that stands on the top edge of a liner, as wide as its opening.
+/// Cylinder of the given height [m] that stands on the top edge of a liner and is as wide as its opening.
 /// @throws BadInput if the wall is a plane, which has no radius about the z axis
 CylinderRegion opening_above(const Wall& wall, double height);
 

@@ -19,8 +19,8 @@ inline double distance2_to_segment(const Vec3d& a, const Vec3d& b, const Vec3d& 
   return norm2(p - a - t * edge);
 }
 
-/// Square of the distance of a point to a triangle [m2]: to its plane over the inside, else to its
-/// nearest edge.
+/// Square of the distance of a point to a triangle [m2]: to its plane if the projection of the point is inside the
+/// triangle, otherwise to its nearest edge.
 inline double distance2_to_triangle(const FlatTriangle& t, const Vec3d& p) {
   const auto left_of = [&](const Vec3d& from, const Vec3d& to) {
     return dot(cross(t.normal, to - from), p - from) >= 0;

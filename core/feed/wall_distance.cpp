@@ -42,7 +42,7 @@ void WallDistance::make_mesh(const TriangleMesh& shape) {
   if (!triangles_.empty()) fill_cells();
 }
 
-/// Makes a grid over the mesh, whose cells list the triangles that may be within reach.
+/// Makes a grid over the mesh. Each cell lists the triangles that may be within reach.
 void WallDistance::fill_cells() {
   Vec3d low = triangles_[0].a, high = low;
   for (const FlatTriangle& t : triangles_) {

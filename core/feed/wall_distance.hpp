@@ -10,15 +10,15 @@ namespace gyro {
 
 /// Distance of points to one wall, for the placement of rocks. Made once for all poses of the wall.
 ///
-/// Planes and profiles have sides: behind them the distance is negative. Beyond the
-/// height of a profile, and everywhere at a mesh, it is positive.
+/// Planes and profiles have sides: behind them the distance is negative. Beyond the height of a profile, and everywhere
+/// for a mesh, it is positive.
 class WallDistance {
  public:
   /// @param reach  larger distances are reported as this value [m]
   WallDistance(const Wall& wall, double reach);
 
-  /// Distance of a world point to the wall, limited to +-reach [m]. It changes no faster than the point
-  /// moves, except for the jump at a profile's ends.
+  /// Distance of a world point to the wall, limited to +-reach [m]. If the point moves by s it changes by at most s,
+  /// except for a jump at the ends of a profile.
   double at(const WallPose& pose, const Vec3d& point) const;
 
  private:

@@ -19,7 +19,8 @@ bool lower(const ProfilePoint& a, const ProfilePoint& b) {
 
 ConcaveOutline::ConcaveOutline(std::vector<ProfilePoint> points) : points_(std::move(points)) {
   for (const ProfilePoint& p : points_)
-    if (!std::isfinite(p.r) || !std::isfinite(p.z)) throw BadInput("the concave has a point that is not finite");
+    if (!std::isfinite(p.r) || !std::isfinite(p.z))
+      throw BadInput("the concave has a point that is not finite; all must be numbers");
   std::stable_sort(points_.begin(), points_.end(), lower);
   if (points_.empty() || !(edge() < rim())) throw BadInput("the concave has no height; it needs points of two heights");
 }

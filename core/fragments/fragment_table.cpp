@@ -76,8 +76,8 @@ double sieve_size(const FragmentTable& table, std::size_t row, const ParticleSna
     radii.push_back(p.radius[i]);
     largest_piece = std::max(largest_piece, equal_mass_diameter(p.mass[i], rock_density));
   }
-  // A sphere stands for a piece of solid rock of its mass, which is larger than the sphere; a fragment
-  // passes no opening that one of its pieces does not pass.
+  // A sphere represents a piece of solid rock of its mass, which is larger than the sphere. A fragment passes an
+  // opening only if all its pieces pass it.
   return std::max(largest_piece, spheres_sieve_size(centres, radii));
 }
 

@@ -10,13 +10,14 @@ namespace gyro {
 
 /// One fragment: particles that are bonded together, or a single particle.
 struct Fragment {
-  Index first_particle;  ///< row in the snapshot, the smallest of the fragment
-  Index particles;       ///< how many
-  RockId rock;           ///< that it came from
-  double mass;           ///< [kg]
-  double lowest;         ///< z of the lowest point of its spheres [m]
-  double highest;        ///< z of the highest point of its spheres [m]
-  Vec3d centre;          ///< of mass [m]
+  Index first_particle;  ///< row in the snapshot, the lowest of the fragment
+  Index particles;       ///< number of particles
+
+  RockId rock;     ///< of which it is a part
+  double mass;     ///< [kg]
+  double lowest;   ///< z of the lowest point of its spheres [m]
+  double highest;  ///< z of the highest point of its spheres [m]
+  Vec3d centre;    ///< centre of mass [m]
 };
 
 /// The fragments of a snapshot, in order of their first particle.

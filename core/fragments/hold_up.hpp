@@ -8,8 +8,8 @@
 
 namespace gyro {
 
-/// Sieve analysis of the rock in the chamber. Sizes of fragments are kept from one analysis to the next:
-/// bonds never heal, so a fragment with the same first particle and the same number of particles is the same one.
+/// Sieve analysis of the rock in the chamber. Sizes of fragments are kept from one analysis to the next. Bonds never
+/// heal, so a fragment with the same first particle and the same number of particles is unchanged.
 class HoldUp {
  public:
   /// Everything that a checkpoint keeps. The columns have one row for each fragment of several particles, sorted by

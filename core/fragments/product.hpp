@@ -11,15 +11,16 @@
 
 namespace gyro {
 
-/// The account of rock that leaves the chamber. A fragment leaves once, by the way of which it is seen first:
+/// The account of rock that leaves the chamber. A fragment leaves once, in the first of two ways that an update
+/// detects:
 ///
 /// - escaped, over the rim: all of it is below the rim, and the centres of all its particles are outside of the
 ///   concave's outline (concave_outline.hpp);
-/// - discharged, through the opening: all of it is below z = 0, and it has not escaped. Without an outline all that
-///   falls below z = 0 is discharged.
+/// - discharged, through the opening: all of it is below z = 0, and it has not escaped. Without an outline all rock
+/// that falls below z = 0 is discharged.
 ///
-/// What is discharged is the product. It is counted with its size at that moment, even if it bounces back or breaks
-/// further; of what has escaped only the mass is kept.
+/// Discharged rock is the product. It is counted with its size at that moment, even if it bounces back or breaks
+/// further later. Of escaped rock only particles and mass are counted.
 class Product {
  public:
   /// Where a particle is.
@@ -28,7 +29,7 @@ class Product {
   /// Everything that a checkpoint keeps.
   struct State {
     std::vector<std::uint8_t> place;  ///< by particle id
-    /// By sieve: mass that passes it but not the next finer one; last: mass that passes none [kg].
+    /// By sieve: mass that passes it but not the next finer one; the last entry: mass that passes none [kg].
     std::vector<double> sieve_mass;
     std::int64_t particles = 0, fragments = 0, singles = 0;  ///< discharged
     double mass = 0, singles_mass = 0;                       ///< discharged [kg]
@@ -50,14 +51,14 @@ class Product {
   };
 
   /// @param rock_density  of solid rock [kg/m3], for the size of single particles
-  /// @param concave       none: nothing escapes
+  /// @param concave       if there is none, no rock escapes
   /// @param sieves        of the analysis, increasing [m]
   explicit Product(double rock_density, std::optional<ConcaveOutline> concave = {},
                    std::vector<double> sieves = sieve_series());
   /// With the state of an earlier account on the same sieves.
   Product(double rock_density, std::optional<ConcaveOutline> concave, std::vector<double> sieves, State state);
 
-  /// Counts the fragments that have newly left the chamber.
+  /// Counts the fragments that have left the chamber since the last update.
   /// @param table  of these particles
   void update(const FragmentTable& table, const ParticleSnapshot& particles);
 
@@ -68,7 +69,7 @@ class Product {
   bool has_left(ParticleId id) const;
   /// Number of particles of a snapshot that have not left: the hold-up of the chamber.
   std::int64_t inside(const ParticleSnapshot& particles) const;
-  /// Sieve analysis of what was discharged.
+  /// Sieve analysis of the discharged rock. @param time  of the row [s]
   ProductRow row(double time) const;
   const std::vector<double>& sieves() const { return sieves_; }
   const State& state() const { return state_; }

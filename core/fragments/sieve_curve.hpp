@@ -21,7 +21,7 @@ std::size_t sieve_of(const std::vector<double>& sieves, double size);
 std::optional<double> passing_size(const std::vector<double>& sieves, const std::vector<double>& passing, double share);
 
 /// The inverse: share of the mass that passes an opening of this size [m], linear in log(size) between two sieves;
-/// below the finest sieve its share.
+/// below the finest sieve, the share of that sieve.
 double passing_at(const std::vector<double>& sieves, const std::vector<double>& passing, double size);
 
 /// A sieve analysis: of all rock discharged up to a time, or of the rock in the chamber.
@@ -38,7 +38,8 @@ struct ProductRow {
 
 /// Mass by sieve.
 struct SieveTally {
-  /// By sieve: mass that passes it but not the next finer one; last: mass that passes none [kg]. Empty without mass.
+  /// By sieve: mass that passes it but not the next finer one; the last entry: mass that passes none [kg]. Empty
+  /// without mass.
   std::vector<double> sieve_mass;
   std::int64_t particles = 0, fragments = 0;
   double mass = 0, singles_mass = 0;  ///< [kg]

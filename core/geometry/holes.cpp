@@ -13,7 +13,7 @@
 namespace gyro {
 namespace {
 
-/// The rim of a hole: its vertices in the order in which closing triangles run along it.
+/// The rim of a hole: its vertices in the direction of the triangles that close it.
 using Rim = std::vector<Index>;
 
 /// Next vertex along the rims, by vertex. None if two rims share a vertex.
@@ -30,7 +30,7 @@ std::optional<std::map<Index, Index>> rim_steps(const TriangleMesh& mesh) {
   return next;
 }
 
-/// Rims of all holes; every step belongs to one rim.
+/// Rims of all holes; every open edge belongs to one rim.
 std::vector<Rim> trace_rims(std::map<Index, Index> next) {
   std::vector<Rim> rims;
   while (!next.empty()) {

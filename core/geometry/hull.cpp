@@ -20,7 +20,7 @@ TriangleMesh convex_hull(const std::vector<Vec3d>& points) {
   Surface surface;
   CGAL::convex_hull_3(input.begin(), input.end(), surface);
 
-  // CGAL numbers vertices and faces by memory address, so each run differs: number them by the input.
+  // CGAL numbers vertices and faces by memory address, which differs between runs; number them by the input instead.
   std::map<std::array<double, 3>, Index> input_order;
   for (const Vec3d& p : points) input_order.try_emplace({p.x, p.y, p.z}, static_cast<Index>(input_order.size()));
   std::map<Index, Vec3d> corners;

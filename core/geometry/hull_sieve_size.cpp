@@ -88,7 +88,7 @@ double shadow_square(const std::vector<Vec3d>& points, const Vec3d& direction) {
   shadow.reserve(points.size());
   for (const Vec3d& p : points) shadow.push_back({dot(p, frame.u), dot(p, frame.v), 0});
   constexpr int samples = 36;
-  constexpr double spacing = std::numbers::pi / 2 / samples;  // a square is the same after a rotation by 90 degrees
+  constexpr double spacing = std::numbers::pi / 2 / samples;  // a square repeats after a rotation by 90 degrees
   double best_angle = 0, best = square_side(shadow, 0);
   for (int k = 1; k < samples; ++k) {
     const double side = square_side(shadow, k * spacing);
@@ -104,7 +104,7 @@ double shadow_square(const std::vector<Vec3d>& points, const Vec3d& direction) {
 }
 
 double hull_sieve_size(const std::vector<Vec3d>& all_points) {
-  const std::vector<Vec3d> hull = convex_hull(all_points).vertices;  // a scan has thousands inside its hull
+  const std::vector<Vec3d> hull = convex_hull(all_points).vertices;  // most vertices of a scan lie inside its hull
   const std::vector<Vec3d> points = outermost(hull);
   std::vector<Passage> passages;
   for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
@@ -112,7 +112,8 @@ double hull_sieve_size(const std::vector<Vec3d>& all_points) {
   }
   constexpr int directions = 150;
   for (int k = 0; k < directions; ++k) {
-    const Vec3d d = spread_direction((k + 0.5) / directions, k);  // over half the sphere: -d is the same passage
+    const Vec3d d =
+        spread_direction((k + 0.5) / directions, k);  // half of the sphere is enough: -d is the same passage
     passages.push_back({d, shadow_square(points, d)});
   }
   std::stable_sort(passages.begin(), passages.end(),

@@ -16,7 +16,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// Above this, testing every plane is slower than the tree.
+/// With more faces, testing every plane is slower than the tree.
 constexpr std::size_t max_planes = 500;
 
 Surface to_surface(const TriangleMesh& mesh) {

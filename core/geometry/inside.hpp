@@ -7,7 +7,7 @@
 
 namespace gyro {
 
-/// Tells whether points lie inside a solid mesh. Safe to call from several threads at once.
+/// Tests whether points lie inside a solid mesh. Safe to call from several threads at the same time.
 class InsideTest {
  public:
   /// @param solid closed, normals outwards
@@ -25,7 +25,7 @@ class InsideTest {
     Vec3d normal;
     double offset;
   };
-  /// Of the triangles of a convex mesh with few faces; else none.
+  /// Planes of the triangles of a convex mesh with few faces; empty for other meshes.
   const std::vector<Plane>& planes() const { return planes_; }
 
  private:

@@ -15,7 +15,7 @@ struct MassProperties {
 };
 
 /// Exact integrals over the polyhedron: a sum over the tetrahedra that the triangles make with the
-/// first vertex (Tonon, J. Math. Stat. 1 (2005) 8). Meaningless for an open mesh.
+/// first vertex (Tonon, J. Math. Stat. 1 (2005) 8). The result is meaningless for an open mesh.
 MassProperties mass_properties(const TriangleMesh& mesh);
 
 /// Sum of the triangles' areas [m2].

@@ -16,7 +16,7 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// Finds an earlier vertex within a distance, in cells of that size.
+/// Finds an earlier vertex within a distance, by a grid with cells of that size.
 class Welder {
  public:
   Welder(const Vec3d& origin, double distance) : origin_(origin), distance_(distance) {}
@@ -97,8 +97,8 @@ Flip opposite(Flip f) {
   return f == Flip::keep ? Flip::flip : Flip::keep;
 }
 
-/// Decides for all triangles connected with the first one, over edges of two triangles, which to
-/// flip so that they agree. The fewer are flipped.
+/// Decides which triangles to flip so that all triangles that are connected with the first one over edges of two
+/// triangles agree. The smaller part is flipped.
 void decide_flips(const TriangleMesh& mesh, const EdgeUsers& users, Index first, std::vector<Flip>& flips) {
   const auto runs_through = [&](Index t, const Edge& e) {
     const auto edges = edges_of(mesh.triangles[t]);

@@ -14,17 +14,17 @@ struct Dropped {
   Index flat = 0;      ///< two equal corners
   Index repeated = 0;  ///< the corners of an earlier triangle, in any order
 };
-/// Drops triangles with two equal corners and repeats of a triangle. Thin triangles with three corners stay: without
-/// them the mesh would have holes.
+/// Drops triangles with two equal corners and repeated triangles. Thin triangles with three different corners stay,
+/// because the mesh would have holes without them.
 Dropped drop_useless_triangles(TriangleMesh& mesh);
 
-/// Flips triangles until neighbours run through their common edge in opposite directions and the
-/// volume is positive. Of each connected set the smaller part is flipped. Edges of other than two
-/// triangles are not crossed. @return number of triangles flipped
+/// Flips triangles until neighbours have their common edge in opposite directions and the volume is positive. Of each
+/// connected set the smaller part is flipped. Only edges of exactly two triangles connect triangles. @return number of
+/// triangles flipped
 Index orient_outwards(TriangleMesh& mesh);
 
-/// Drops bodies (sets of triangles connected by edges) of less than the share of the largest one's volume, as scanners
-/// leave them floating. @return number of bodies dropped
+/// Drops bodies (sets of triangles connected by edges) with less volume than `share` x that of the largest body, such
+/// as the floating specks of scanners. @return number of bodies dropped
 Index drop_specks(TriangleMesh& mesh, double share);
 
 }  // namespace gyro

@@ -14,7 +14,7 @@ struct PrincipalAxes {
 };
 
 /// @param tensor  xx, yy, zz, xy, yz, zx
-/// The same tensor gives the same axes, also where they are not unique: equal values, or an axis and its opposite.
+/// Equal tensors give equal axes, also where they are not unique (equal values; an axis and its opposite).
 PrincipalAxes principal_axes(const std::array<double, 6>& tensor);
 
 }  // namespace gyro

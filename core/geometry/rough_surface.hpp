@@ -12,7 +12,8 @@ namespace gyro {
 /// octaves of plane waves of random direction and phase. The first has 1 wave over the rock; each octave has half the
 /// amplitude of the one before.
 /// The result is star-shaped, so it cannot intersect itself.
-/// @param seed, number  of the rock; the draws follow `first_draw` of its stream
+/// @param roughness     standard deviation of the logarithm of the radius [-]
+/// @param seed, number  of the rock; its draws begin at `first_draw` of the stream
 TriangleMesh roughened(const TriangleMesh& convex, double roughness, std::uint64_t seed, std::uint64_t number,
                        std::uint32_t first_draw);
 

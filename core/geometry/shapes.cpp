@@ -54,7 +54,7 @@ RockShape make_shape(const TriangleMesh& solid) {
     v = {dot(principal.axes[0], v), dot(principal.axes[1], v), dot(principal.axes[2], v)};
   }
   shape.inertia = std::pow(scale, 5) * principal.moments;
-  constexpr std::size_t fine_scan = 2000;  // a scan may have a million triangles, and every template keeps a preview
+  constexpr std::size_t fine_scan = 2000;  // triangles; a scan may have a million, and every template keeps a preview
   shape.preview = shape.surface.triangles.size() <= fine_scan ? shape.surface : convex_hull(shape.surface.vertices);
   shape.sieve_size = hull_sieve_size(shape.surface.vertices);
   return shape;
@@ -76,7 +76,7 @@ RockShape procedural_shape(std::uint64_t seed, std::uint64_t number, const Shape
   const auto draw = [&](double low, double high) {
     return low + (high - low) * uniform(seed, Stream::shape, number, draws++);
   };
-  // 16 points at the middle of the scale, 2.5 times as many at one end, as few at the other.
+  // At least 16 points in the middle of the scale, 2.5 times as many at 0, 2.5 times fewer at 1.
   const double min_points = std::round(16 * std::pow(2.5, 1 - 2 * style.angularity));
   const int count = static_cast<int>(draw(min_points, 2 * min_points + 1));
   const double b = draw(style.elongation.low, style.elongation.high);

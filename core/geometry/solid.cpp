@@ -37,7 +37,8 @@ double diagonal_of(const TriangleMesh& mesh) {
   return norm(box.high - box.low);
 }
 
-/// Welds further apart, tenfold at a time, if that closes an open surface without making edges of three triangles.
+/// Welds vertices at increasing distances, tenfold in each step, if that closes an open surface without edges of three
+/// triangles.
 void weld_gaps(RepairedMesh& repaired) {
   if (check_edges(repaired.mesh).open == 0) return;
   for (double distance = 1e-6; distance <= weld_limit * 1.01; distance *= 10) {
@@ -70,7 +71,7 @@ void close_small_holes(RepairedMesh& repaired) {
                            percent(holes.largest / surface) + " of the surface");
 }
 
-/// @throws BadInput with the fault that is left
+/// @throws BadInput with the first fault that remains
 void require_solid(const TriangleMesh& mesh) {
   const EdgeCheck check = check_edges(mesh);
   if (check.crowded > 0) throw BadInput(count_of(check.crowded, "edge") + " with more than two triangles" + rule);
@@ -107,7 +108,7 @@ RepairedMesh repaired_solid(const TriangleMesh& given) {
   Index flipped = orient_outwards(repaired.mesh);
   if (const EdgeCheck check = check_edges(repaired.mesh); check.crowded + check.contradictory == 0) {
     close_small_holes(repaired);
-    if (mass_properties(repaired.mesh).volume < 0) {  // the open surface misled about its side
+    if (mass_properties(repaired.mesh).volume < 0) {  // the volume of the open surface had the wrong sign
       flipped = static_cast<Index>(repaired.mesh.triangles.size()) - flipped;
       for (auto& t : repaired.mesh.triangles) std::swap(t.y, t.z);
     }

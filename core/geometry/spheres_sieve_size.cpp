@@ -11,8 +11,8 @@
 namespace gyro {
 namespace {
 
-constexpr double coarse = std::numbers::pi / 12;    ///< between starts of the search [rad]
-constexpr double finest = std::numbers::pi / 3600;  ///< where it ends [rad]
+constexpr double coarse = std::numbers::pi / 12;    ///< spacing of the starts of the search [rad]
+constexpr double finest = std::numbers::pi / 3600;  ///< step at which the search ends [rad]
 
 /// Three perpendicular unit vectors; the group passes the opening along z.
 struct Frame {
@@ -36,7 +36,7 @@ double width(std::span<const Vec3d> centres, std::span<const double> radii, cons
 }
 
 /// The principal axes of the spheres' volumes about their common centre, from the shortest to the longest extent. Each
-/// sphere stands for a point of its volume: its own second moments are the same in all directions.
+/// sphere is treated as a point mass, because its own second moments are the same in all directions.
 Frame principal_frame(std::span<const Vec3d> centres, std::span<const double> radii) {
   double volume = 0;
   Vec3d mean{0, 0, 0};
@@ -61,14 +61,14 @@ Frame principal_frame(std::span<const Vec3d> centres, std::span<const double> ra
   return {principal.axes[0], principal.axes[1], principal.axes[2]};
 }
 
-/// A group of spheres and the square opening that it needs in a frame.
+/// A group of spheres and the square opening through which it passes in a frame.
 struct Passage {
   std::span<const Vec3d> centres;
   std::span<const double> radii;
   double opening(const Frame& f) const { return std::max(width(centres, radii, f.x), width(centres, radii, f.y)); }
 };
 
-/// Rotates about any axis of the frame while that makes the opening smaller, then in finer steps.
+/// Rotates about the axes of the frame while that makes the opening smaller, in successively finer steps.
 double descended(const Passage& passage, Frame best, double smallest) {
   for (double angle = coarse / 2; angle > finest; angle /= 2) {
     for (bool better = true; better;) {

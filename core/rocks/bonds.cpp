@@ -38,7 +38,7 @@ void check_rule(const BondRule& rule) {
 std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const std::vector<double>& radii,
                                      const BondRule& rule) {
   const Index n = static_cast<Index>(centres.size());
-  // Sweep along x: bonded spheres are at most the largest sphere's reach apart.
+  // Sweep along x: the distance of bonded spheres is at most the largest possible reach.
   std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),

@@ -12,13 +12,14 @@ struct RelativeBondRadius {
   double factor = 0.5;  ///< [-]
 };
 
-/// The same bond radius everywhere, also where it is larger than the particle.
+/// The same radius for all bonds; it may be larger than that of the particles.
 struct AbsoluteBondRadius {
   double radius = 0;  ///< [m]
 };
 
 /// Section of the bond = factor x pi R_h^2, R_h = 2 Ri Rj/(Ri + Rj) the harmonic mean radius: the area of a Hertz
-/// contact goes as R_h, at an overlap that goes as R_h, hence as R_h^2. Between equal spheres R_b = sqrt(factor) R.
+/// contact is proportional to R_h x overlap, hence to R_h^2 if the overlap is proportional to R_h. Between equal
+/// spheres R_b = sqrt(factor) R.
 struct ContactAreaBond {
   double factor = 0.25;  ///< [-]
 };
@@ -35,7 +36,8 @@ void check_rule(const BondRule& rule);
 /// Radius of the bond between particles of radii ri and rj [m].
 double bond_radius(const BondRule& rule, double ri, double rj);
 
-/// The bonds of a set of spheres [m], sorted by (i, j).
+/// The bonds of a set of spheres, sorted by (i, j).
+/// @param centres, radii  of the same number of spheres [m]
 std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const std::vector<double>& radii,
                                      const BondRule& rule);
 
@@ -44,7 +46,7 @@ std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const st
 /// @return first bond of each colour, and as the last entry the number of bonds
 std::vector<Index> colour_bonds(std::vector<TemplateBond>& bonds, Index particles);
 
-/// Particles of the largest connected set, ascending; of equally large sets the one with the lowest particle.
+/// Particles of the largest connected set, ascending; if several are equally large, the set with the lowest particle.
 std::vector<Index> largest_piece(const std::vector<TemplateBond>& bonds, Index particles);
 
 }  // namespace gyro

@@ -17,12 +17,12 @@
 namespace gyro {
 namespace {
 
-constexpr int cuts = 16, max_cuts = 64;  // up to max_cuts if none of the first holds together
-constexpr int cuts_of_many = 4;          // with many particles all cuts are alike
+constexpr int cuts = 16, max_cuts = 64;  // if none of the first is in one piece, up to max_cuts
+constexpr int cuts_of_many = 4;          // with many particles all cuts are similar
 constexpr double many = 3000;            // particles
 /// A cut whose largest piece has a smaller share of its spheres is discarded.
 constexpr double min_kept = 0.8;
-/// The draws before are those of the packing itself.
+/// Earlier draws of the stream belong to the packing.
 constexpr std::uint32_t first_draw = 16;
 
 double cube(double x) {
@@ -110,8 +110,8 @@ Filling sorted_for_locality(const Filling& filling) {
   return selected(filling, order);
 }
 
-/// Largest relative error of the mass, doubled because it matters most, and of the principal moments, compared with the
-/// shape filled evenly.
+/// The largest of: twice the relative error of the mass, and the relative errors of the principal moments. The shape
+/// filled evenly is the reference.
 double misfit(const Mould& mould, const Filling& filling, double fraction) {
   if (filling.centres.empty()) return std::numeric_limits<double>::infinity();
   const double mass = sphere_volume(filling.radii);
@@ -121,7 +121,7 @@ double misfit(const Mould& mould, const Filling& filling, double fraction) {
                    std::abs(got.z / want.z - 1)});
 }
 
-/// The best of many cuts, or an empty filling if none holds together.
+/// The best of many cuts; an empty filling if none is in one piece.
 /// @param unit  the packing's unit of length, in that of the shape
 Filling best_cut(const Mould& mould, const Packing& packing, double unit, const BondRule& bonds, const FillJob& job) {
   const double expected = static_cast<double>(packing.centres.size()) / cube(packing.side * unit);
@@ -157,8 +157,8 @@ Vessel vessel_of(const Mould& mould) {
   return vessel;
 }
 
-/// Equal spheres jammed in a vessel of unit volume, their ratio as close to the wanted one as a few tries get it.
-/// Spheres pack less densely at faces; how much less depends on shape and ratio.
+/// Equal spheres jammed in a vessel of unit volume, with about the requested ratio. The number of spheres is found in a
+/// few trials, because spheres pack less densely at faces, depending on shape and ratio.
 Packing jam_to_ratio(const Vessel& vessel, double ratio, const FillJob& job) {
   constexpr double close = 0.003, guess = 0.58;
   constexpr int max_tries = 5;
@@ -279,7 +279,7 @@ Filling fill(const Mould& mould, const FillRule& rule, const BondRule& bonds, co
     const auto* mono = std::get_if<MonoFill>(&rule);
     throw BadInput("the particles of a rock do not hold together" +
                    (mono ? " at fill ratio " + std::to_string(mono->ratio) : std::string()) + " and bonds.gap " +
-                   std::to_string(bonds.gap) + ": its shape is too thin or the gap too small; use " +
+                   std::to_string(bonds.gap) + ": the shape is too thin or the gap is too small; use " +
                    (mono ? "a larger ratio" : "smaller particles") + " or a larger gap, 0.05 is usual");
   }
   return best;

@@ -12,7 +12,7 @@
 
 namespace gyro {
 
-/// A shape of unit volume, ready to be filled any number of times.
+/// A shape of unit volume with its inside test, for any number of fillings.
 struct Mould {
   explicit Mould(RockShape s) : shape(std::move(s)), inside(shape.surface) {}
   RockShape shape;
@@ -28,8 +28,8 @@ struct Filling {
 /// Equal spheres: diameter = equal-volume diameter of the rock / ratio.
 struct MonoFill {
   /// cut: from a packing, with a rough surface like that of broken rock. smooth: jammed inside the shape, which must be
-  /// convex, so that spheres support all of a face, as in a ground specimen; the particle diameter is within 1 % of the
-  /// given one, below 50 particles within 2 %.
+  /// convex, so that spheres support the whole of a face, as in a ground specimen; the particle diameter is within 1 %
+  /// of the given one, or within 2 % if there are fewer than 50 particles.
   enum class Surface { cut, smooth };
   double ratio = 6;  ///< [-]
   Surface surface = Surface::cut;
@@ -46,9 +46,9 @@ using FillRule = std::variant<MonoFill, RangeFill>;
 
 /// Limits of the fill ratio: about 5 and 80,000 particles.
 inline constexpr double min_fill_ratio = 2, max_fill_ratio = 50;
-/// Limit of largest/smallest diameter of a range: the size of packings grows with its third power.
+/// Limit of largest/smallest diameter of a range; the number of particles in a packing grows with its third power.
 inline constexpr double max_size_ratio = 8;
-/// Limit of the particles of one rock.
+/// Largest number of particles in one rock.
 inline constexpr double max_particles = 100000;
 
 /// @throws BadInput if a number is out of range
@@ -58,16 +58,15 @@ void check_rule(const FillRule& rule);
 struct FillJob {
   double diameter = 1;  ///< of the sphere of its solid volume [m]; a mono-sized fill does not use it
   std::uint64_t seed = 0;
-  std::uint64_t rock = 0;  ///< its number under this seed
+  std::uint64_t rock = 0;  ///< number of the rock; with the seed, the key of the random draws
 };
 
 /// Puts the shape into a jammed packing, at a random position and orientation, and takes the spheres whose centre is
-/// inside. So there is no thin layer at the surface, and on average the spheres fill as large a share of the volume as
-/// in the packing. Of sixteen cuts (four if there are thousands of spheres) the one is used whose mass and inertia are
-/// nearest to those of the shape filled evenly; spheres not bonded to the largest piece are dropped. A smooth fill is
-/// not cut.
+/// inside. So there is no thin layer at the surface, and on average the packing fraction is that of the packing. Of
+/// sixteen cuts (four if there are thousands of spheres) it uses the one whose mass and inertia are nearest to those of
+/// the shape filled evenly; spheres not bonded to the largest piece are dropped. A smooth fill is not cut.
 /// @throws BadInput if the rule is out of range, a smooth shape is not convex, the rock is too small or too large for
-/// the range, or the shape is so thin or the gap so small that the spheres do not hold together
+/// the range, or the bonded spheres are not in one piece because the shape is too thin or the gap too small
 Filling fill(const Mould& mould, const FillRule& rule, const BondRule& bonds, const FillJob& job);
 
 /// The grading [smallest radius] of the packing from which a rock of this diameter [m] is cut. Its largest radius is
@@ -79,10 +78,10 @@ Grading grading_of(const RangeFill& range, double diameter);
 std::array<double, 6> sphere_inertia(const std::vector<Vec3d>& centres, const std::vector<double>& radii,
                                      double density);
 
-/// Centre of mass of spheres of one density.
+/// Centre of mass of spheres of one density, in the unit of the centres.
 Vec3d centre_of_mass(const std::vector<Vec3d>& centres, const std::vector<double>& radii);
 
-/// Sum of the volumes of the spheres; overlaps count twice.
+/// Sum of the volumes of the spheres; overlaps count twice [cube of the unit of the radii].
 double sphere_volume(const std::vector<double>& radii);
 
 }  // namespace gyro

@@ -94,7 +94,7 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
   return rock;
 }
 
-/// Calls work(k) for k = count - 1, ..., 0 on all threads: the largest rocks first, so that no thread ends with one.
+/// Calls work(k) for k = count - 1, ..., 0 on all threads: the largest rocks first, so that the threads end together.
 template <class Work>
 void for_each_downwards(ThreadTeam& team, int count, const Work& work) {
   for_each_job(team, count, [&](int done) { work(count - 1 - done); });
@@ -133,7 +133,7 @@ RockLibrary make_library(const LibraryRecipe& recipe, int threads) {
 }
 
 double cylinder_diameter(const CylinderSpecimen& specimen, double sphere) {
-  // The flats cut two segments off the circle: section D^2/4 (pi - a + sin a), length slenderness D.
+  // The flats remove two segments of the circle: section D^2/4 (pi - a + sin a), length slenderness D.
   const double angle = specimen.loading_angle;
   const double kept = 1 - (angle - std::sin(angle)) / std::numbers::pi;
   return sphere * std::cbrt(2 / (3 * specimen.slenderness * kept));

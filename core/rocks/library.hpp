@@ -23,12 +23,12 @@ struct ProceduralShapes {
   ShapeStyle style = {};
 };
 
-/// A shape from outside, such as a scan.
+/// A shape that the user gives, such as a scan.
 struct GivenShape {
-  std::string name;     ///< with which the rocks' names begin
-  std::string content;  ///< identifies mesh and notes in the recipe's text: equal content, equal rocks
-  /// Gives a closed mesh with outward normals. Called only if the library is made, not if a cache has it. Its unit does
-  /// not matter: the size law gives the size. May throw BadInput.
+  std::string name;     ///< first part of the names of its rocks
+  std::string content;  ///< identifies mesh and notes in the recipe's text: equal content gives equal rocks
+  /// Returns a closed mesh with outward normals, in any unit, because the size law gives the size. It is called only if
+  /// the library is made, not if a cache has it. May throw BadInput.
   std::function<RepairedMesh()> load;
 };
 
@@ -37,10 +37,10 @@ struct GivenShapes {
   int corners = 0;  ///< of the polyhedron that replaces a scan; 0: the scan itself
 };
 
-/// Cylinders of one proportion: specimens of laboratories.
+/// Cylinders of one slenderness, as laboratory specimens.
 struct CylinderSpecimen {
   double slenderness = 2;    ///< length / diameter [-]
-  double loading_angle = 0;  ///< under which the axis sees each of two flats along the side [rad]; 0: none
+  double loading_angle = 0;  ///< angle of each of two flats along the side, seen from the axis [rad]; 0: no flats
 };
 
 /// Diameter of a cylinder that has the volume of a sphere [m]. @param sphere  diameter of the sphere [m]
@@ -48,10 +48,10 @@ double cylinder_diameter(const CylinderSpecimen& specimen, double sphere);
 
 using RockShapes = std::variant<ProceduralShapes, GivenShapes, CylinderSpecimen>;
 
-/// Limits of a recipe: rocks of a library, and procedural shapes; corners that replace a scan.
+/// Largest number of rocks and of procedural shapes in a recipe; largest number of corners that replace a scan.
 inline constexpr int max_samples = 10000, max_corners = 10000;
 
-/// What a library is made from.
+/// Everything from which a library is made.
 struct LibraryRecipe {
   RockShapes shapes;
   SizeLaw sizes;
@@ -59,7 +59,7 @@ struct LibraryRecipe {
   FillRule fill;                   ///< particles of a rock
   double rock_density = 0;         ///< of solid rock [kg/m3]
   bool compensated = true;         ///< particles are denser than rock, so that a rock has the mass of solid rock
-  BondRule bond_rule;              ///< which particles are bonded, and how thick
+  BondRule bond_rule;              ///< which particles are bonded, and the radius of the bonds
   BondParameters bond_parameters;  ///< for the critical step
   BedContacts bed;                 ///< for the critical step
   std::uint64_t seed = 0;
@@ -72,9 +72,10 @@ struct LibraryRecipe {
 /// @throws BadInput if the recipe is out of range or a given shape cannot be loaded
 RockLibrary make_library(const LibraryRecipe& recipe, int threads = 0);
 
-/// Volume of crumbled rock, loose / volume of solid rock [-]: the packing fraction of the particles in the rocks, mean
-/// over the library (its rocks stand for equal masses), divided by that of a loose bed of spheres, 0.60. Real broken
-/// rock has about 1.7, so a bed of single particles takes too little room: choking and throughput are optimistic.
+/// Volume of loose, fully crumbled rock / volume of solid rock [-]. It is the packing fraction of the particles in the
+/// rocks (mean over the library, whose rocks stand for equal masses) divided by that of a loose bed of spheres, 0.60.
+/// Real broken rock has about 1.7. So a bed of single particles occupies too little volume: choking is underestimated
+/// and throughput overestimated.
 double swell_of_crumbled(const RockLibrary& library);
 
 }  // namespace gyro

@@ -8,13 +8,14 @@
 namespace gyro {
 
 /// A rock linearised at rest, scaled to unit masses: M^-1/2 K M^-1/2 and M^-1/2 C M^-1/2 [1/s2, 1/s].
-/// Six rows a particle: x, y, z, then the rotations about them. Only for this folder, its tests and `verify`:
-/// the header needs Eigen.
+/// Six rows for each particle: x, y, z, then the rotations about them. Include it only in this folder, its tests and
+/// `verify`, because it needs Eigen.
 struct LinearRock {
   Eigen::SparseMatrix<double> stiffness, damping;
   Eigen::VectorXd inverse_root_mass;  ///< 1/sqrt(m) or 1/sqrt(0.4 m R^2)
 };
 
+/// Matrices of the rock with all bonds intact, plus the bed contacts of every particle (stability.hpp).
 LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
 
 }  // namespace gyro

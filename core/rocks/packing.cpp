@@ -37,7 +37,7 @@ SoftSpheres random_spheres(std::vector<double> radii, double fraction, double li
   return {std::move(points), std::move(radii), side, list_skin};
 }
 
-/// Random points in a vessel. A point still outside after a thousand draws stays there: the faces push it in.
+/// Random points in a vessel. If a point is still outside after a thousand draws, it stays; the faces push it in later.
 std::vector<Vec3d> points_in(const Vessel& vessel, int count, std::uint64_t seed, std::uint64_t first) {
   constexpr std::uint32_t draws = 3000;
   std::vector<Vec3d> points;
@@ -86,7 +86,7 @@ void compress(SoftSpheres& spheres) {
   }
 }
 
-/// Draws loose spheres to their neighbours by a short-ranged attraction.
+/// Moves loose spheres to their neighbours by a short-ranged attraction.
 void gather_loose(SoftSpheres& spheres) {
   constexpr double cohesion = 0.002, reach = 0.15;
   spheres.set_cohesion(cohesion, reach);

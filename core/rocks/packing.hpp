@@ -18,8 +18,8 @@ struct Packing {
   double overlap = 0;          ///< largest overlap of two spheres / smaller radius
 };
 
-/// Jams equal spheres: random points become soft spheres at a packing fraction of 0.632, their elastic energy
-/// is minimised, and if an overlap above 0.9 % of the radius remains the cube grows to remove it. The result depends on
+/// Jams equal spheres. Random points become soft spheres at a packing fraction of 0.632, and their elastic energy is
+/// minimised. If an overlap above 0.9 % of the radius remains, the cube is enlarged to remove it. The result depends on
 /// the arguments only.
 /// @param spheres  at least 200, so that no sphere touches its own image
 Packing jam_spheres(int spheres, std::uint64_t seed);
@@ -40,13 +40,13 @@ double radius_at(const Grading& grading, double u);
 double mean_cubed_radius(const Grading& grading);
 
 /// Jams spheres of many sizes, their radii at even quantiles of the grading. The cube shrinks step by step while the
-/// overlaps still relax; then a short-ranged attraction draws spheres without neighbours to the next ones, so that all
-/// can be bonded. The cube is 5 largest diameters wide.
+/// overlaps still relax; then a short-ranged attraction moves spheres without neighbours to the nearest ones, so that
+/// all can be bonded. The cube is 5 largest diameters wide.
 Packing jam_graded(const Grading& grading, std::uint64_t seed);
 
-/// Jams equal spheres in a vessel that contains the origin: it shrinks while the overlaps still relax. So a layer of
-/// spheres touches each face, as in a specimen that is made in a mould
-/// (Potyondy & Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329, section 3.1).
+/// Jams equal spheres in a vessel that contains the origin and shrinks while the overlaps still relax. So a layer of
+/// spheres touches each face, as in a specimen that is made in a mould (Potyondy & Cundall, Int. J. Rock Mech. Min.
+/// Sci. 41 (2004) 1329, section 3.1).
 /// @param first number of the first sphere in the random stream
 Packing jam_in(Vessel vessel, int spheres, std::uint64_t seed, std::uint64_t first);
 

@@ -9,7 +9,7 @@
 namespace gyro {
 namespace {
 
-/// Raise it with every change that makes other rocks from the same recipe.
+/// Increase it with every change that makes different rocks from the same recipe.
 constexpr int generator_version = 3;
 
 class Text {

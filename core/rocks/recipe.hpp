@@ -11,7 +11,7 @@ namespace gyro {
 void check_recipe(const LibraryRecipe& recipe);
 
 /// Everything that a library depends on, one line each, numbers to the last bit, given shapes by their `content`. Equal
-/// texts, equal libraries: the key of a cache.
+/// texts mean equal libraries, so the text is the key of a cache.
 std::string recipe_text(const LibraryRecipe& recipe);
 
 }  // namespace gyro

@@ -27,10 +27,10 @@ struct RockTemplate {
   std::vector<double> radii;         ///< [m]
   double particle_density = 0;       ///< [kg/m3], the same for all particles of the template
   std::vector<TemplateBond> bonds;   ///< grouped by colour: two of one colour share no particle
-  std::vector<Index> colour_begin;   ///< first bond of each colour, and last the number of bonds
-  double bounding_radius = 0;        ///< of the sphere about the centre of mass that holds all particles [m]
+  std::vector<Index> colour_begin;   ///< first bond of each colour; the last entry is the number of bonds
+  double bounding_radius = 0;        ///< of the sphere about the centre of mass that contains all particles [m]
   double packing_fraction = 0;       ///< volume of the particles / solid volume [-]
-  double coordination = 0;           ///< mean number of bonds that a particle has [-]
+  double coordination = 0;           ///< mean number of bonds of a particle [-]
   double mass_error = 0;             ///< (mass of particles - mass of solid rock) / mass of solid rock [-]
   double inertia_error = 0;          ///< largest relative error of a principal moment of inertia [-]
   double centre_error = 0;           ///< distance of the particles' centre of mass from the solid's / diameter [-]

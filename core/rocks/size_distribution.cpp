@@ -22,9 +22,9 @@ void check(const PassingTable& law) {
     if (!positive(p[k].size)) throw BadInput("passing table: every size must be > 0");
     if (!(p[k].fraction >= 0 && p[k].fraction <= 1))
       throw BadInput("passing table: every fraction must be between 0 and 1");
-    if (k > 0 && !(p[k].size > p[k - 1].size)) throw BadInput("passing table: sizes must rise from row to row");
+    if (k > 0 && !(p[k].size > p[k - 1].size)) throw BadInput("passing table: sizes must increase from row to row");
     if (k > 0 && p[k].fraction < p[k - 1].fraction)
-      throw BadInput("passing table: fractions must not fall from row to row");
+      throw BadInput("passing table: fractions must not decrease from row to row");
   }
   if (p.front().fraction != 0) throw BadInput("passing table: the first fraction must be 0, for the smallest rock");
   if (p.back().fraction != 1) throw BadInput("passing table: the last fraction must be 1, for the largest rock");
@@ -60,7 +60,7 @@ double passing_of(const PassingTable& law, double x) {
 
 double size_of(const PassingTable& law, double fraction) {
   const auto& q = law.points;
-  if (fraction <= 0) {  // the largest size that nothing passes, which is the last of the rows with 0
+  if (fraction <= 0) {  // the largest size that nothing passes: the last row with 0
     const auto first = std::find_if(q.begin(), q.end(), [](const PassingPoint& a) { return a.fraction > 0; });
     return (first - 1)->size;
   }

@@ -7,13 +7,13 @@
 
 namespace gyro {
 
-/// One sieve: the mass fraction of the rock that is smaller.
+/// A sieve and the mass fraction of the rock that passes it.
 struct PassingPoint {
   double size;      ///< [m]
-  double fraction;  ///< in [0, 1]
+  double fraction;  ///< passing, in [0, 1] [-]
 };
 
-/// Linear between sieves: sizes rise, fractions do not fall, the first is 0 and the last 1.
+/// Linear between sieves. Sizes increase, fractions do not decrease; the first fraction is 0 and the last 1.
 struct PassingTable {
   std::vector<PassingPoint> points;
 };
@@ -32,8 +32,9 @@ struct GatesGaudinSchuhmann {
   double smallest;  ///< cut-off, above 0 [m]
 };
 
-/// The feed for which makers state capacities (brochures of primary gyratory crushers): all of it passes 0.8, 80 % pass
-/// 0.6 and 50 % pass 0.1 of the feed opening; linear between, from the smallest size on.
+/// The feed for which manufacturers state capacities (brochures of primary gyratory crushers): 100 % passes 0.8, 80 %
+/// passes 0.6 and 50 % passes 0.1 of the feed opening. Linear between these sizes and from the smallest size on. Sizes
+/// in [m].
 /// @throws BadInput unless 0 < smallest < 0.1 feed_opening
 PassingTable vendor_feed(double feed_opening, double smallest);
 
@@ -43,17 +44,17 @@ using SizeLaw = std::variant<PassingTable, RosinRammler, GatesGaudinSchuhmann>;
 /// solid volume.
 class SizeDistribution {
  public:
-  /// @throws BadInput if the law's numbers are no distribution
+  /// @throws BadInput if the numbers of the law do not define a distribution
   explicit SizeDistribution(SizeLaw law);
 
   /// Mass fraction smaller than the size [m], in [0, 1].
   double passing(double size) const;
-  /// Size [m] that the mass fraction p in [0, 1] passes; the smallest one where the law is flat.
+  /// Size [m] that the mass fraction p in [0, 1] passes; the smallest such size if the law is flat there.
   double size_at(double p) const;
-  double smallest() const { return size_at(0); }
-  double largest() const { return size_at(1); }
-  double f80() const { return size_at(0.8); }
-  double f50() const { return size_at(0.5); }
+  double smallest() const { return size_at(0); }  ///< [m]
+  double largest() const { return size_at(1); }   ///< [m]
+  double f80() const { return size_at(0.8); }     ///< [m]
+  double f50() const { return size_at(0.5); }     ///< [m]
   const SizeLaw& law() const { return law_; }
 
  private:

@@ -64,7 +64,7 @@ SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, 
       v_(x_.size(), Vec3d{0, 0, 0}),
       force_(x_.size()) {}
 
-// With a period of four reaches no sphere touches an image of another one.
+// If the period is at least four times the reach, no sphere touches the image of another one.
 SoftSpheres::SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_skin)
     : SoftSpheres(std::move(centres), std::move(radii), 4 * vessel.reach, list_skin) {
   vessel_ = std::move(vessel);
@@ -122,7 +122,7 @@ void SoftSpheres::find_pairs() {
   std::vector<std::size_t> level(x_.size());
   for (Index i = 0; i < count; ++i) {
     level[i] = static_cast<std::size_t>(std::ceil(std::log2(radii_[i])));
-    levels[level[i]].visit_around(x_[i], [&](Index j) { add_if_close(j, i); });  // those added before
+    levels[level[i]].visit_around(x_[i], [&](Index j) { add_if_close(j, i); });  // of those added before
     levels[level[i]].add(x_[i], i);
   }
   for (Index i = 0; i < count; ++i) {

@@ -19,7 +19,7 @@ struct Vessel {
   };
   std::vector<Face> faces;
   double volume = 0;
-  double reach = 0;  ///< of the furthest corner
+  double reach = 0;  ///< distance of the farthest corner from the origin
 };
 
 /// Scales a vessel about the origin.
@@ -27,22 +27,26 @@ void scale(Vessel& vessel, double factor);
 
 /// Soft spheres in a periodic cube, or in a vessel, that relax to rest. The unit of length is the smallest radius.
 ///
-/// Two spheres repel each other with the force 2 R* overlap, R* = Ri Rj/(Ri + Rj), and a sphere has the mass Ri. So
-/// under one pressure all overlaps relative to the radii are similar, and all contacts have similar frequencies. With
+/// Two spheres repel each other with the force 2 R* overlap, R* = Ri Rj/(Ri + Rj), and a sphere has the mass Ri. So all
+/// overlaps under one pressure are similar relative to the radii, and all contacts have similar frequencies. With
 /// cohesion, spheres closer than `reach` attract each other with 2 R* cohesion (1 - gap/reach). A face of a vessel
-/// repels with 2 Ri overlap. Neighbour lists hold pairs closer than `list_skin`, which affects speed and the last bits.
+/// repels with 2 Ri overlap. Neighbour lists contain pairs whose gap is below `list_skin`; it affects the speed and the
+/// last bits of the result.
 class SoftSpheres {
  public:
+  /// @param side       period of the cube [smallest radius]
+  /// @param list_skin  skin of the neighbour lists [smallest radius]
   SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, double side, double list_skin);
   /// @param centres inside the vessel
   SoftSpheres(std::vector<Vec3d> centres, std::vector<double> radii, Vessel vessel, double list_skin);
 
   /// Relaxes (FIRE: Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201, with its parameters) until no force exceeds the
-  /// tolerance or no overlap exceeds the limit. @return whether max_steps were enough
+  /// tolerance or no overlap exceeds the limit. @return false if max_steps were not enough
   bool settle(double force_tolerance, int max_steps, double overlap_limit = 0);
 
   /// Scales all positions, the cube and the vessel, but not the radii.
   void scale(double factor);
+  /// @param cohesion  force of spheres in contact / (2 R*)  @param reach  gap at which the attraction ends
   void set_cohesion(double cohesion, double reach) { cohesion_ = cohesion, reach_ = reach; }
 
   /// Largest (overlap/smaller radius) of all pairs, and of spheres and faces.
@@ -73,7 +77,7 @@ class SoftSpheres {
   void update_forces();
   double largest_force() const;
 
-  double side_;  ///< of the period; with a vessel so long that no images interact
+  double side_;  ///< period; with a vessel it is so long that images do not interact
   Vessel vessel_;
   double skin_, largest_radius_ = 1, cohesion_ = 0, reach_ = 0;
   std::vector<double> radii_;

@@ -34,7 +34,7 @@ struct Lanczos {
     Eigen::VectorXd rest = apply(next);
     diagonal[size] = next.dot(rest);
     ++size;
-    for (int pass = 0; pass < 2; ++pass) {  // twice is enough for full orthogonality
+    for (int pass = 0; pass < 2; ++pass) {  // two passes are enough for full orthogonality
       rest -= basis.leftCols(size) * (basis.leftCols(size).transpose() * rest).eval();
     }
     beside[size - 1] = rest.norm();

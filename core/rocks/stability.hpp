@@ -20,16 +20,16 @@ struct BedContacts {
 /// at rest, with all bonds intact: the smallest dt at which 4 M - 2 dt C - dt^2 K is singular. Lanczos
 /// iteration on M^-1 (dt^2 K + 2 dt C), 6 degrees of freedom a particle, to a relative 1e-4.
 ///
-/// Bed contacts are assumed isotropic, each with its other end moving in counterphase, which is an upper bound for any
-/// arrangement of them: diagonal 2 number (S_n + 2 S_t)/3 for translations and
-/// 2 number (2/3) S_t R^2 for rotations, damping alike.
-/// @return infinity without stiffness
+/// Bed contacts are assumed isotropic, and the other end of each moves in counterphase, which is an upper bound for any
+/// arrangement of contacts: diagonal 2 number (S_n + 2 S_t)/3 for translations and 2 number (2/3) S_t R^2 for
+/// rotations, damping alike.
+/// @return infinity if there is no stiffness
 double critical_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
 
-/// The same for a single loose particle.
+/// The same for a single loose particle [s]. @param radius [m] @param density [kg/m3]
 double loose_critical_step(double radius, double density, const BedContacts& bed);
 
-/// Lower bound on critical_step from Gershgorin's row sums: one pass over the bonds, no iteration.
+/// Lower bound on critical_step [s] from Gershgorin's row sums: one pass over the bonds, no iteration.
 double gershgorin_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
 
 }  // namespace gyro

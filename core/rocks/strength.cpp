@@ -81,7 +81,7 @@ double quantile(const TruncatedNormal& s, double p) {
   const double low = normal_distribution((s.lower - s.mean) / s.deviation);
   const double high = normal_distribution((s.upper - s.mean) / s.deviation);
   const double x = s.mean + s.deviation * normal_quantile(low + p * (high - low));
-  return std::clamp(x, s.lower, s.upper);  // rounding only
+  return std::clamp(x, s.lower, s.upper);  // corrects rounding only
 }
 
 double quantile(const WeibullStrength& s, double p) {

@@ -15,9 +15,9 @@ struct TruncatedNormal {
   double lower = 0, upper = 2;
 };
 
-/// What the reference paper prints (Xiong et al., Minerals 14 (2024) 774, eq. 8): strength S_c (N + 1) with N
-/// standard normal, here understood as drawn again if outside the range. Nearly uniform over 0.4 to 1.6, which
-/// holds 45 % of the draws.
+/// The distribution as printed in the reference paper (Xiong et al., Minerals 14 (2024) 774, eq. 8): strength S_c (N +
+/// 1) with N standard normal; values outside the range are drawn again. Nearly uniform over 0.4 to 1.6, which contains
+/// 45 % of the draws.
 inline TruncatedNormal paper_literal(double lower, double upper) {
   return {1, 1, lower, upper};
 }
@@ -25,7 +25,7 @@ inline TruncatedNormal paper_literal(double lower, double upper) {
 /// Weibull distribution of the factor: P(factor < x) = 1 - exp(-(x/s)^modulus), s = mean/Gamma(1 + 1/modulus).
 struct WeibullStrength {
   double mean = 1;
-  double modulus = 5;  ///< rocks have 3 to 8 [-]
+  double modulus = 5;  ///< 3 to 8 for rocks [-]
 };
 
 using StrengthScatter = std::variant<TruncatedNormal, WeibullStrength>;
@@ -38,8 +38,8 @@ void check_scatter(const StrengthScatter& scatter);
 /// function, for the truncated normal exact to about 1e-14.
 double strength_at(const StrengthScatter& scatter, double p);
 
-/// Factor on both strengths of the bond between two particles of a rock. A pure function of its
-/// arguments: the same on any device, thread count, restart and order of feeding; i and j may swap.
+/// Factor on both strengths of the bond between two particles of a rock. A pure function of its arguments: the same on
+/// any device, for any number of threads, after a restart and in any order of feeding; i and j may be exchanged.
 double strength_factor(const StrengthScatter& scatter, std::uint64_t seed, RockId rock, ParticleId i, ParticleId j);
 
 /// x with P(N(0,1) < x) = p, for p in (0, 1).

@@ -10,7 +10,7 @@
 namespace gyro {
 namespace {
 
-/// Radius of one liner at a height, straight between the rows and beyond; `shift` lifts the rows.
+/// Radius of one liner at a height: linear between the rows and beyond them; `shift` lifts the rows.
 double radius_at(const std::vector<LinerRow>& rows, double LinerRow::*radius, double shift, double z) {
   std::size_t i = 1;
   while (i + 1 < rows.size() && rows[i].z + shift < z) ++i;
@@ -19,7 +19,7 @@ double radius_at(const std::vector<LinerRow>& rows, double LinerRow::*radius, do
   return a.*radius + t * (b.*radius - a.*radius);
 }
 
-/// The centred chamber: its heights are those that both liners have, its gaps are radial.
+/// The chamber with the mantle centred: heights that both liners have, radial gaps.
 struct Chamber {
   const Liners& liners;
 
@@ -80,7 +80,7 @@ LinerLevel slice_at(const Liners& liners, double z, double speed, double gravity
 }
 
 LinerReport measure(const Liners& liners, double speed, double gravity) {
-  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity above 0");
+  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed > 0 and a gravity > 0");
   const Chamber chamber{liners};
   LinerReport report;
   report.closed_side_setting = side_setting(liners, liners.motion.lift, true);

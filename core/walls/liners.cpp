@@ -110,7 +110,7 @@ double side_setting(const Liners& liners, double lift, bool closed_side) {
 double solve_lift(const Liners& liners) {
   const double wanted = liners.setting.closed_side_setting;
   const auto excess = [&](double lift) { return side_setting(liners, lift, true) - wanted; };
-  // Widen a bracket [low, high] around no lift: open below, closed above.
+  // Widen a bracket [low, high] around 0: the gap is too wide at low, too narrow at high.
   const double maximum = (liners.rows.back().z - liners.rows.front().z) / 2;
   double low = 0, high = 0;
   for (double step = maximum / 64; step <= maximum && excess(low) < 0; step *= 2) low = -step;

@@ -20,21 +20,21 @@ struct LinerSetting {
   double closed_side_setting;  ///< shortest distance of mantle and concave at the discharge [m]
   double eccentricity;         ///< half the throw, at the discharge plane [m]
   double pivot_height;         ///< of the mantle's pivot above the discharge plane [m]
-  double collar = 0;           ///< height of an upright collar on the concave, against spilling [m]
+  double collar = 0;           ///< height of an upright collar on the concave, which prevents spilling [m]
 };
 
-/// The walls of a crusher, straight between the rows.
+/// The walls of a crusher; profiles are straight between the rows.
 struct Liners {
   std::vector<LinerRow> rows;
   LinerSetting setting;
   ProfileShape concave;   ///< rock inside; open at the top and at the discharge
   ProfileShape mantle;    ///< rock outside; a cone of 45 degrees on top, a flat bottom at the lowest level
-  GyrationMotion motion;  ///< with the lift that imposes the setting
+  GyrationMotion motion;  ///< with the lift that gives the setting
 };
 
 /// Builds the walls and lifts the mantle to the setting.
 /// @param rows  two or more, z ascending from 0 or below to above 0, mantle inside the concave
-/// @throws BadInput if rows and setting make no chamber, or no lift gives the setting
+/// @throws BadInput if rows and setting do not form a chamber, or no lift gives the setting
 Liners make_liners(std::span<const LinerRow> rows, const LinerSetting& setting);
 
 /// Gap between mantle and concave for a lift, on the closed or the open side of the plane that holds both axes: the
@@ -43,7 +43,8 @@ Liners make_liners(std::span<const LinerRow> rows, const LinerSetting& setting);
 /// tilted mantle's lip, e0 R / Lp (0.8 mm of 43.4 mm for a 62-75).
 double side_setting(const Liners& liners, double lift, bool closed_side);
 
-/// Lift that gives the closed side setting, within 1e-9 m. Lifting closes the gap.
+/// Lift that gives the closed side setting [m], within 1e-9 m. Lifting narrows the gap.
+/// @throws BadInput if no lift gives it
 double solve_lift(const Liners& liners);
 
 /// Capacity of one level of the chamber.
@@ -54,7 +55,7 @@ struct LinerLevel {
   double capacity;  ///< area x drop x gyrations per second [m3/s], bulk
 };
 
-/// Geometry of a chamber as it is set.
+/// Geometry of a chamber at its setting.
 struct LinerReport {
   double closed_side_setting, open_side_setting;  ///< measured [m]
   double throw_at_discharge;                      ///< open - closed [m]
@@ -64,8 +65,8 @@ struct LinerReport {
   std::vector<double> nip_angle;                  ///< between the liners on the closed side, at each row [rad]
 };
 
-/// Slice of a level: nipped at the closed gap C(z), it sinks by h until the open gap O(z - h) = C(z),
-/// or as far as it falls in half a gyration, g (pi/w)^2 / 2. Gaps are radial: R_concave - R_mantle
+/// Slice of a level. It is nipped at the closed gap C(z) and sinks by h until the open gap O(z - h) = C(z), but at most
+/// by the free fall in half a gyration, g (pi/w)^2 / 2. Gaps are radial: R_concave - R_mantle
 /// -+ e0 (1 - z/Lp).
 /// @param speed    of the eccentric [rad/s], > 0
 /// @param gravity  [m/s2]
@@ -75,8 +76,8 @@ LinerLevel slice_at(const Liners& liners, double z, double speed, double gravity
 /// a slice nearer to the discharge than its drop leaves the chamber.
 LinerReport measure(const Liners& liners, double speed, double gravity);
 
-/// Triangles of a surface of revolution; the right-handed normal points to the rock. Closed when both
-/// ends lie on the axis. @throws BadInput for fewer than 3 sectors
+/// Triangles of a surface of revolution; the right-handed normal points to the rock. The mesh is closed if both ends of
+/// the profile lie on the axis. @throws BadInput for fewer than 3 sectors
 TriangleMesh revolve(const ProfileShape& shape, int sectors);
 
 }  // namespace gyro

@@ -22,11 +22,11 @@ HeightRange common_heights(const MeshLiners& liners) {
   const HeightRange a = heights_of(liners.concave, 0), b = heights_of(liners.mantle, liners.motion.lift);
   const HeightRange both{std::max(a.low, b.low), std::min(a.high, b.high)};
   if (!(both.low < both.high))
-    throw BadInput("mantle and concave have no height in common; draw both meshes in the position in which they work");
+    throw BadInput("mantle and concave have no height in common; draw both meshes in their working position");
   return both;
 }
 
-constexpr double no_nip = std::numbers::pi / 4;  // liners that open by more do not nip rock
+constexpr double no_nip = std::numbers::pi / 4;  // liners at a larger angle do not nip rock
 
 /// The centred chamber in half-planes; gaps are radial. It ends at the lowest level above its middle where the liners
 /// begin to open by more than `no_nip`: at the mantle's head, or at an edge of the feed opening.
@@ -47,7 +47,7 @@ class SectionedChamber {
   double level(int k) const { return concave_.level(k); }
   double bridged() const { return std::max(concave_.bridged(), mantle_.bridged()); }
 
-  /// Of the annulus, as far as one half-plane stands for it.
+  /// Area of the annulus that one half-plane represents [m2].
   double area(int azimuth, double z) const {
     const double c = concave_.at(azimuth, z), m = mantle_.at(azimuth, z);
     return std::max(0.0, std::numbers::pi / RadialSections::azimuths * (c + m) * (c - m));
@@ -55,7 +55,8 @@ class SectionedChamber {
   double closed_gap(int azimuth, double z) const { return gap(azimuth, z) - eccentricity(z); }
   double open_gap(int azimuth, double z) const { return gap(azimuth, z) + eccentricity(z); }
 
-  /// Between the liners' chords from `half` below to `half` above, within the chamber, the mantle leaning to them.
+  /// Angle between the liners' chords from `half` below to `half` above, within the chamber, with the mantle leaning to
+  /// that side.
   double nip_angle(int azimuth, double z, double half) const {
     const double low = std::max(z - half, heights_.low), high = std::min(z + half, heights_.high);
     const auto lean = [&](const RadialSections& liner) {
@@ -65,7 +66,7 @@ class SectionedChamber {
   }
 
  private:
-  /// Between a level and the next, over all azimuths.
+  /// Volume between a level and the next, over all azimuths [m3].
   double mean_nip_angle(int k) const {
     const double middle = (level(k) + level(k + 1)) / 2, half = (level(k + 1) - level(k)) / 2;
     double sum = 0;
@@ -130,7 +131,7 @@ std::vector<MeshReport::NipAngle> nip_angles(const SectionedChamber& chamber) {
 }  // namespace
 
 MeshReport measure(const MeshLiners& liners, double speed, double gravity) {
-  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed and a gravity above 0");
+  if (!(speed > 0 && gravity > 0)) throw BadInput("the slice capacity needs a speed > 0 and a gravity > 0");
   MeshReport report;
   report.sides = MeshGap(liners.mantle, liners.concave, liners.motion).sides(liners.motion.lift);
   report.closed_side_setting = 1e300;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int strip_count = 24;
 constexpr double strip_half = 0.02;  // [rad]; at the concave of a 62-75 that is 22 mm, about a facet of 240 sectors
-constexpr int angles = 24;           // of the eccentric, over a gyration, from the strip's own azimuth on
-constexpr double spacing = 0.004;    // of points, times the concave's height
+constexpr int angles = 24;           // of the eccentric over a gyration, starting at the azimuth of the strip
+constexpr double spacing = 0.004;    // of points, relative to the concave's height
 
 double azimuth_of(const Vec3d& v) {
   return std::atan2(v.y, v.x);
@@ -36,7 +36,7 @@ void raster(const Vec3d& a, const Vec3d& b, const Vec3d& c, double step, const V
     for (int j = 0; i + j <= cuts; ++j) visit(a + double(i) / cuts * (b - a) + double(j) / cuts * (c - a));
 }
 
-/// Neighbouring triangles give the points of their common edge twice, except for rounding.
+/// Removes points that neighbouring triangles give twice on their common edge, up to rounding.
 void drop_repeated(std::vector<Vec3d>& points) {
   std::ranges::sort(points,
                     [](const Vec3d& a, const Vec3d& b) { return std::tie(a.z, a.x, a.y) < std::tie(b.z, b.x, b.y); });
@@ -44,9 +44,9 @@ void drop_repeated(std::vector<Vec3d>& points) {
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
 }
 
-/// Drops what lies more than 0.08 of the zone's height behind the surface that is nearest to the other liner at the
-/// same height: shell and rings of a liner drawn as a thick body. None of them is nearest to the other liner.
-/// @param sign  -1 if the surface wanted is the innermost one, 1 for the outermost
+/// Drops points that are more than 0.08 of the zone's height behind the surface that is nearest to the other liner at
+/// the same height. They lie on the shell or the rings of a liner drawn as a thick body.
+/// @param sign  -1 to keep the innermost surface, 1 to keep the outermost
 void drop_behind(std::vector<Vec3d>& points, double low, double height, double sign) {
   constexpr int levels = 20;
   const double behind = 0.08 * height;
@@ -77,8 +77,8 @@ MeshGap::MeshGap(const TriangleMesh& mantle, const TriangleMesh& concave, const 
   reach_ = widest_gap() + 0.1 * height_;
 }
 
-/// Upper limit of all gaps: the distance of any point of a strip is one, and a gyration changes it by less than twice
-/// the eccentricity at the discharge.
+/// Upper bound of all gaps: the distance of one point of each strip, plus the change in a gyration, which is less than
+/// twice the eccentricity at the discharge.
 double MeshGap::widest_gap() const {
   double widest = 0;
   for (const Strip& strip : strips_) {
@@ -172,10 +172,10 @@ std::vector<SideOfMeshes> MeshGap::sides(double lift) const {
 }
 
 double MeshGap::solve_lift(double wanted) const {
-  // A lift by s changes no distance by more than s. So a step as long as the missing gap cannot skip a narrow gap, such
-  // as where the mantle's rim passes the concave's, beyond which the gap widens again.
+  // A lift by s changes a distance by at most s. So a step as long as the missing gap cannot skip a narrow place, for
+  // example where the mantle's rim passes the concave's rim; the gap widens again beyond it.
   const double maximum = height_ / 2, minimum = maximum / 256;
-  double low = 0, high = 0;  // open below, closed above
+  double low = 0, high = 0;  // the gap is too wide at low, too narrow at high
   double at_low = closed(0) - wanted, at_high = at_low, narrowest = at_low;
   while (at_low < 0 && low > -maximum) {
     low -= std::max(-at_low, minimum);
@@ -194,7 +194,7 @@ double MeshGap::solve_lift(double wanted) const {
     throw BadInput("lifting the mantle gives no closed_side_setting of " + std::to_string(wanted) +
                    " m; it must be between " + std::to_string(std::max(narrowest + wanted, 0.0)) + " and " +
                    std::to_string(at_low + wanted) + " m");
-  while (high - low > 1e-6) {  // false position, kept away from the ends
+  while (high - low > 1e-6) {  // regula falsi, kept away from the ends
     const double share = at_low == at_high ? 0.5 : std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
     const double middle = low + share * (high - low), value = closed(middle) - wanted;
     if (std::abs(value) < 1e-6) return middle;

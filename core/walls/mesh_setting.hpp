@@ -8,27 +8,27 @@
 
 namespace gyro {
 
-/// Closed and open side setting as they are on two meshes [m].
+/// Closed and open side setting of two meshes [m].
 struct MeshSetting {
   double closed = 0, open = 0;
 };
 
-/// The same on one side of the machine.
+/// The same for one side of the machine.
 struct SideOfMeshes {
   double azimuth;       ///< [rad]
   double closed, open;  ///< smallest and largest gap over a gyration [m]
 };
 
-/// The gap between a mantle and a concave given as meshes, measured over a turn of the eccentric.
+/// The gap between a mantle and a concave given as meshes, measured over a gyration.
 ///
 /// Points lie on the concave's lowest tenth above the discharge plane and on the mantle opposite, in strips of azimuth.
 /// The gap of a strip is the shortest distance of its points to the other surface in this zone; its minimum over a
 /// gyration is the closed side setting, its maximum the open one. This is the definition of Liners without any
-/// symmetry. Of liners drawn as thick bodies only the surface towards the other liner has points. Distances between
-/// points are missed; the error is below 0.01 mm for a 62-75.
+/// symmetry. On liners drawn as thick bodies only the surface towards the other liner has points. The error of the
+/// spacing of points is below 0.01 mm for a 62-75.
 class MeshGap {
  public:
-  /// @param mantle  as it stands with its axis upright
+  /// @param mantle  with its axis upright
   /// @throws BadInput if no part of the concave is above the discharge plane
   MeshGap(const TriangleMesh& mantle, const TriangleMesh& concave, const GyrationMotion& motion);
 
@@ -36,10 +36,10 @@ class MeshGap {
   MeshSetting measure(double lift) const;
   /// Both settings of each strip over a turn of the eccentric.
   std::vector<SideOfMeshes> sides(double lift) const;
-  /// Closed side setting alone, from each strip while it is on the closed side.
+  /// Closed side setting alone [m], from each strip while it is on the closed side.
   double closed(double lift) const;
   /// Lift that gives the closed side setting, within 1e-6 m.
-  /// @throws BadInput if no lift within half the concave's height does
+  /// @throws BadInput if no lift within half the concave's height gives it
   double solve_lift(double closed_side_setting) const;
 
  private:
@@ -47,7 +47,7 @@ class MeshGap {
     double azimuth;
     std::vector<Vec3d> concave, mantle;  ///< the mantle's in its own frame
   };
-  enum class Side { inner, outer };  ///< of a liner, on which the rock is: of a concave, of a mantle
+  enum class Side { inner, outer };  ///< side of a liner on which the rock is: inner for a concave, outer for a mantle
   void add_points(const TriangleMesh& mesh, double low, double high, std::vector<Vec3d> Strip::*points, Side side);
   double gap_of_mantle(const Strip& strip, const WallPose& pose, double minimum) const;
   double widest_gap() const;

@@ -9,7 +9,7 @@ Nearest nearest_within(const MeshGrid& mesh, const Vec3d& centre, double reach) 
   constexpr double rounding = 1e-14;  // relative: all triangles at the same distance are compared
   Nearest best;
   double within = reach;
-  const auto compare = [&](Index k) {  // in any order, some more than once
+  const auto compare = [&](Index k) {  // triangles come in any order, some more than once
     NearPoint point;
     const WallTriangle& t = mesh.triangles()[static_cast<std::size_t>(k)];
     if (near_triangle(t, centre, within, point) == Place::out_of_reach) return;

@@ -5,16 +5,16 @@
 
 namespace gyro {
 
-/// The piece of a mesh nearest to a point.
+/// The point of a mesh nearest to a given point.
 struct Nearest {
   Index triangle = none;
   NearPoint point{};  ///< normal from the mesh to the point, and the distance
 };
 
-/// Searches within `reach` only; without a triangle there, `triangle` is none. Body frame.
+/// Searches within `reach` [m]; `triangle` is none if there is no triangle. Body frame.
 Nearest nearest_within(const MeshGrid& mesh, const Vec3d& centre, double reach);
 
-/// Searches within `reach`; if no triangle is there, four times farther, up to 64 x reach. Body frame.
+/// Searches within `reach` [m]; as long as there is no triangle, four times farther, up to 64 x reach. Body frame.
 Nearest nearest_triangle(const MeshGrid& mesh, const Vec3d& centre, double reach);
 
 }  // namespace gyro

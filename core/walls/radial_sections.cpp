@@ -18,7 +18,7 @@ constexpr double no_surface = std::numeric_limits<double>::quiet_NaN();
 
 RadialSections::RadialSections(const TriangleMesh& mesh, double lift, const HeightRange& heights, Face face)
     : heights_(heights), radius_(static_cast<std::size_t>(azimuths * levels), no_surface) {
-  std::vector<Vec3d> across;  // level normals of the half-planes, to the left
+  std::vector<Vec3d> across;  // horizontal normals of the half-planes, to the left
   for (int a = 0; a < azimuths; ++a) {
     const double angle = 2 * std::numbers::pi * a / azimuths;
     across.push_back({-std::sin(angle), std::cos(angle), 0});
@@ -40,7 +40,7 @@ RadialSections::RadialSections(const TriangleMesh& mesh, double lift, const Heig
 void RadialSections::cut(const Vec3d* corner, int azimuth, const Vec3d& across, Face face) {
   Point ends[2];
   int found = 0;
-  for (int k = 0; k < 3; ++k) {  // corners on the plane count as left of it, so two edges cross it or none does
+  for (int k = 0; k < 3; ++k) {  // corners on the plane count as left of it, so that either two edges cross it or none
     const Vec3d &p = corner[k], &q = corner[(k + 1) % 3];
     const double dp = dot(across, p), dq = dot(across, q);
     if ((dp >= 0) == (dq >= 0)) continue;

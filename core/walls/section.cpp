@@ -45,7 +45,7 @@ Polyline below(const Polyline& line, double z) {
 }
 
 double distance_between(const Polyline& a, const Polyline& b) {
-  // Pieces that do not cross are nearest at an end of one of them.
+  // The shortest distance of segments that do not cross is at an end of one of them.
   return std::min(distance_to_line(a, b), distance_to_line(b, a));
 }
 

@@ -10,7 +10,7 @@ namespace gyro {
 /// Points of a section through the crusher's axis, joined by straight lines.
 using Polyline = std::vector<ProfilePoint>;
 
-/// The part of a polyline of rising z up to a height; at least two points if the line begins below it.
+/// The part of a polyline of increasing z up to a height [m]; at least two points if the line begins below it.
 Polyline below(const Polyline& line, double z);
 
 /// Shortest distance of two polylines that do not cross [m].

@@ -4,11 +4,11 @@
 namespace gyro {
 
 /// How far a slice of rock sinks in one gyration [m]. It is nipped at the height z by the closed gap; while the chamber
-/// opens it falls until the open gap below is as narrow, but no farther than free fall takes it in that time.
-/// @param bottom    of the chamber: below it a slice is free [m]
+/// opens it falls until the open gap below is as narrow, but no farther than free fall in half a gyration.
+/// @param bottom    of the chamber; below it a slice falls freely [m]
 /// @param fall      g (pi/w)^2 / 2 [m]
 /// @param nipped    gap of the closed side at z [m]
-/// @param open_gap  of a height [m] -> [m]
+/// @param open_gap  gap of the open side as a function of height [m] -> [m]
 template <class OpenGap>
 double slice_drop(double z, double bottom, double fall, double nipped, const OpenGap& open_gap) {
   constexpr int steps = 256;

@@ -25,28 +25,29 @@ struct SurfaceSums {
   std::vector<double> work;     ///< of sliding friction [J]
 
   explicit SurfaceSums(std::size_t pieces) : impulse(pieces, 0.0), work(pieces, 0.0) {}
+  /// @param push  normal impulse [N s]  @param slip  work of sliding friction [J]
   void add(std::size_t piece, double push, double slip) {
     impulse[piece] += push;
     work[piece] += slip;
   }
 };
 
-/// Where rock presses on a liner and slides along it, per triangle and unrolled. The wall's frame is used, so that
-/// the map of a mantle rotates with it. The triangle nearest to a sphere's centre gets the sphere's impulse, of which
-/// the component along the line from the nearest point to the centre counts.
+/// Maps of the pressure and of the sliding work of rock on a liner, per triangle and unrolled. They use the wall's
+/// frame, so that the map of a mantle rotates with it. The impulse of a sphere is added to the triangle nearest to its
+/// centre; only the component along the line from the nearest point to the centre counts.
 class SurfaceMap {
  public:
-  /// @param mesh  the surface; profiles are mapped on their picture
+  /// @param mesh  the surface; for a profile, the mesh of its picture
   SurfaceMap(const TriangleMesh& mesh, int rows, int sectors);
 
   void add(const WallImpulse& impulse);
-  /// Sums since the last call, by cell.
+  /// Returns the sums since the last call, by cell, and clears them.
   SurfaceSums take_cells();
 
   const UnrolledGrid& grid() const { return grid_; }
   const std::vector<double>& cell_area() const { return cell_area_; }          ///< [m2]
   const std::vector<double>& triangle_area() const { return triangle_area_; }  ///< [m2]
-  /// Those of the mesh that have an area, in their order.
+  /// The triangles of the mesh that have an area, in their order.
   const std::vector<WallTriangle>& triangles() const { return mesh_.triangles(); }
   const SurfaceSums& by_triangle() const { return by_triangle_; }  ///< since the start
   void restore(SurfaceSums by_triangle, SurfaceSums cells);
@@ -62,7 +63,11 @@ class SurfaceMap {
 };
 
 /// Wear depth by Archard's law [m]: coefficient x normal force x sliding distance / area = coefficient x work /
-/// (friction x area). @param coefficient  volume worn / (normal force x distance) [1/Pa]
+/// (friction x area); 0 without friction or area.
+/// @param coefficient  volume worn / (normal force x distance) [1/Pa]
+/// @param work         of sliding friction [J]
+/// @param friction     coefficient of sliding friction [-]
+/// @param area         [m2]
 inline double wear_depth(double coefficient, double work, double friction, double area) {
   return friction > 0 && area > 0 ? coefficient * work / (friction * area) : 0;
 }

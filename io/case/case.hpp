@@ -158,7 +158,7 @@ struct CaseOutput {
   bool vtp = true, hdf5 = false;
   std::optional<CaseLinerMaps> liners;
   std::vector<std::uint32_t> probes = {};  ///< ids of particles that the series follows
-  std::vector<double> sieves = {};         ///< openings for product and hold-up, increasing [m]; empty: the default series
+  std::vector<double> sieves = {};  ///< openings for product and hold-up, increasing [m]; empty: the default series
 };
 
 /// A checked case in SI units. A key that the file leaves out has its documented default or is absent.

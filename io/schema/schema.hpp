@@ -22,16 +22,16 @@ enum class KeyType {
   quantity,  ///< number, or text with a unit
   integer,
   text,
-  word,      ///< one of a list of words
-  file,      ///< path, relative to the case file
-  vector,    ///< list of three quantities
-  interval,  ///< list of two quantities, the second larger
+  word,        ///< one of a list of words
+  file,        ///< path, relative to the case file
+  vector,      ///< list of three quantities
+  interval,    ///< list of two quantities, the second larger
   quantities,  ///< list of at least two quantities, increasing
   integers,    ///< list of whole numbers, not empty, each once
-  words,     ///< list of words, not empty
-  files,     ///< list of paths, not empty
-  passing,   ///< list of pairs [size, passing]
-  values,    ///< map of names the user chooses to plain numbers or truth values
+  words,       ///< list of words, not empty
+  files,       ///< list of paths, not empty
+  passing,     ///< list of pairs [size, passing]
+  values,      ///< map of names the user chooses to plain numbers or truth values
 };
 
 /// Limits of a number, in SI.

@@ -36,7 +36,7 @@ void DriveSlave::add_outputs() {
   };
   const auto motor_speed = [this] { return shaft_->motor_speed(state_.motion); };
   add(
-      "eccentric_angle", "rad", [this] { return state_.angle; }, "continuous over turns");
+      "eccentric_angle", "rad", [this] { return state_.angle; }, "of the eccentric, continuous over revolutions");
   add(
       "eccentric_speed", "rad/s", [this] { return state_.motion.speed; }, "of the eccentric");
   add(
@@ -44,7 +44,7 @@ void DriveSlave::add_outputs() {
   add(
       "mantle_spin", "rad/s", [this] { return state_.motion.spin; }, "of the mantle about its own axis");
   add(
-      "motor_angle", "rad", [this] { return state_.motor_angle; }, "turned by the motor since the start");
+      "motor_angle", "rad", [this] { return state_.motor_angle; }, "by which the motor has turned since the start");
   add("motor_speed", "rad/s", motor_speed, "of the motor's shaft");
   add(
       "motor_torque", "N.m", [this] { return motor_torque(); }, "at the motor's shaft, positive forward");
@@ -57,7 +57,8 @@ void DriveSlave::add_outputs() {
   add(
       "loss_work", "J", [this] { return state_.loss_work; }, "in bearings, gear, coupling and brake since the start");
   add(
-      "kinetic_energy", "J", [this] { return shaft_->energy(state_.motion); }, "and of the coupling spring");
+      "kinetic_energy", "J", [this] { return shaft_->energy(state_.motion); },
+      "including the energy of the coupling spring");
 }
 
 void DriveSlave::add_event_outputs() {
@@ -66,18 +67,18 @@ void DriveSlave::add_event_outputs() {
   };
   add(
       "stalled", VariableType::boolean, [this] { return state_.stalls > 0 ? 1.0 : 0.0; },
-      "has come to a halt against its motor");
+      "has come to a halt against the torque of its motor");
   add(
       "tripped", VariableType::boolean, [this] { return state_.motion.motor.sense == 0 ? 1.0 : 0.0; },
       "a relay has switched the motor off");
   add(
       "events", VariableType::integer, [this] { return static_cast<double>(state_.events); },
-      "stalls, trips and restarts so far");
+      "number of stalls, trips and restarts so far");
   for (std::size_t k = 0; k < SlaveState::kept_events; ++k) {
     const std::string number = std::to_string(k + 1) + ']';
     add(
         "event_time[" + number, VariableType::real, [this, k] { return state_.event_time[k]; },
-        "when it happened; [1] is the latest");
+        "time of the event; [1] is the latest");
     add(
         "event_kind[" + number, VariableType::integer, [this, k] { return state_.event_kind[k]; },
         "0 none, 1 stall, 2 turned back, 3 standstill, 4 overload trip, 5 instantaneous trip, 6 under-speed trip, "

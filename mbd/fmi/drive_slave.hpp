@@ -19,7 +19,7 @@ struct SlaveState {
   double begin = 0;                                                          ///< of the run [s]
   int stalls = 0, events = 0;
   static constexpr std::size_t kept_events = 8;
-  std::array<double, kept_events> event_time{}, event_kind{};  ///< the last ones, the latest first [s]
+  std::array<double, kept_events> event_time{}, event_kind{};  ///< time [s] and kind of the last ones, the latest first
 };
 
 /// Calls f with each number of a state.
@@ -37,7 +37,7 @@ void for_each_number(State& s, F&& f) {
 }
 
 /// The drivetrain as a co-simulation slave: it advances by a step under a given load. It keeps no accounts of the
-/// exchange, which are the master's. The C functions of FMI are a thin layer over this class (fmi2_functions.cpp).
+/// exchange; the master does. The C functions of FMI are a thin layer over this class (fmi2_functions.cpp).
 class DriveSlave {
  public:
   explicit DriveSlave(const DrivetrainParameters& parameters);
@@ -48,11 +48,13 @@ class DriveSlave {
   /// torque without mantle inertia, the forces on the bearings without friction there.
   const std::vector<DriveVariable>& variables() const { return variables_; }
 
-  /// Applies changed parameters and sets the start state. @throws BadInput for a machine that cannot start as asked
+  /// Applies changed parameters and sets the state at `time` [s]. @throws BadInput if the machine cannot start in the
+  /// requested way
   void initialise(double time);
   /// @param time  where the step begins [s]
-  /// @return its events, with times since the start of the run
-  /// @throws StoppedByGuard when it cannot be integrated
+  /// @param duration  of the step, > 0 [s]
+  /// @return events in the step, with times since the start of the run
+  /// @throws StoppedByGuard if the drivetrain cannot be integrated
   std::vector<DriveEvent> step(double time, double duration);
 
   const SlaveState& state() const { return state_; }

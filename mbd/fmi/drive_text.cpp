@@ -10,7 +10,7 @@ namespace gyro {
 namespace {
 
 constexpr const char* head = "gyrosim drivetrain 1";
-constexpr double max_points = 1e6;  // of a curve, so that a wrong number does not allocate all memory
+constexpr double max_points = 1e6;  // of a curve; limits the memory that a wrong number can allocate
 
 /// Shortest text that reads back to the same double.
 std::string all_digits(double value) {

@@ -55,24 +55,25 @@ void add_bearing(Collector& c, const std::string& name, Bearing& bearing, const 
 
 void add_protection(Collector& c, ProtectionParameters& p) {
   c.add("protection.overload_time", "s", p.overload_time, "time constant of the thermal image; 0: no such relay");
-  c.add("protection.overload_ratio", "", p.overload_ratio, "current that never trips / rated current");
-  c.add("protection.instantaneous_ratio", "", p.instantaneous_ratio, "current that trips at once; 0: no such relay");
+  c.add("protection.overload_ratio", "", p.overload_ratio, "largest current that does not trip / rated current");
+  c.add("protection.instantaneous_ratio", "", p.instantaneous_ratio,
+        "current that trips immediately / rated current; 0: no such relay");
   c.add("protection.under_speed", "", p.under_speed, "share of the idle speed that trips; 0: no such relay");
   c.add("protection.under_speed_delay", "s", p.under_speed_delay, "time below under_speed before it trips");
   c.add("protection.rated_torque", "N.m", p.rated_torque, "of motors without a name plate");
   c.add("protection.brake_torque", "N.m", p.brake_torque, "dry brake at the motor's shaft from a trip to the restart");
-  c.add("protection.restart_delay", "s", p.restart_delay, "from a trip to the restart; 0: stays off");
-  c.add("protection.restarts", "", p.restarts, "restarts at most");
-  c.add("protection.restart_reversed", "", p.restart_reversed, "each restart changes the sense of rotation");
+  c.add("protection.restart_delay", "s", p.restart_delay, "time from a trip to the restart; 0: the motor stays off");
+  c.add("protection.restarts", "", p.restarts, "largest number of restarts");
+  c.add("protection.restart_reversed", "", p.restart_reversed, "each restart reverses the rotation");
 }
 
-/// Whether it starts at rest: the one field that is neither number nor truth value.
+/// Whether the drive starts at rest; in DrivetrainParameters this is an enumeration.
 DriveVariable start_variable(DrivetrainParameters& p) {
   return {"starts_at_rest",
           VariableType::boolean,
           Causality::parameter,
           "",
-          "switched on at standstill; otherwise it idles at the start",
+          "the motor is switched on at standstill; otherwise it idles at the start",
           [&p] { return p.start == DrivetrainStart::rest ? 1.0 : 0.0; },
           [&p](double value) { p.start = value != 0 ? DrivetrainStart::rest : DrivetrainStart::running; }};
 }
@@ -89,7 +90,7 @@ std::vector<DriveVariable> parameter_variables(DrivetrainParameters& p) {
   c.add("inertia.motor", "kg.m2", p.motor_inertia, "motor, coupling and pinion, about the motor's shaft");
   c.add("inertia.eccentric", "kg.m2", p.eccentric_inertia, "eccentric and its gear, about the machine's axis");
   c.add("losses.no_load", "W", p.losses.no_load_power, "power of the idle crusher at rated speed");
-  c.add("losses.load_factor", "", p.losses.load_factor, "share of the rock's torque that bushings lose");
+  c.add("losses.load_factor", "", p.losses.load_factor, "share of the rock's torque that is lost in bushings");
   c.add("losses.viscous", "N.m.s/rad", p.losses.viscous, "torque / speed of the eccentric");
   c.found.push_back(start_variable(p));
   c.add("start_angle", "rad", p.start_angle, "of the eccentric");

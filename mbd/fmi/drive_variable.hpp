@@ -12,8 +12,8 @@ namespace gyro {
 enum class VariableType { real, integer, boolean };
 enum class Causality { parameter, input, output };
 
-/// A variable of the drivetrain as FMI sees it. Its value reference is its place in the list. Whole numbers and truth
-/// values travel as doubles, which hold them exactly.
+/// A variable of the drivetrain as FMI sees it. Its value reference is its index in the list. Integers and Booleans are
+/// passed as doubles, which hold them exactly.
 struct DriveVariable {
   std::string name;  ///< as the key of the case or the dataset of the series
   VariableType type = VariableType::real;
@@ -24,8 +24,8 @@ struct DriveVariable {
   std::function<void(double)> set;  ///< empty for outputs
 };
 
-/// All parameters of a drivetrain, as variables that read and write `parameters`, which must outlive them. What follows
-/// from the parameters of a motor is not among them: see complete_motor().
+/// All parameters of a drivetrain, as variables that read and write `parameters`, which must outlive them. Derived
+/// parameters of a motor are not among them: see complete_motor().
 std::vector<DriveVariable> parameter_variables(DrivetrainParameters& parameters);
 
 /// Parameters as text, for the resources of an FMU: the model of the motor, then one `name value` per line, with all

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <exception>
 
-// What the shared library of an exported FMU offers: FMI 2.0 co-simulation over Fmi2Instance. No exception leaves it.
+// The functions of the shared library of an exported FMU: FMI 2.0 co-simulation over Fmi2Instance. They throw nothing.
 
 #define GYRO_FMI extern "C" __attribute__((visibility("default")))
 
@@ -17,7 +17,7 @@ constexpr unsigned bit(SlaveMode mode) {
 }
 constexpr unsigned before_steps = bit(SlaveMode::instantiated) | bit(SlaveMode::initialising);
 
-/// Does `work` on an instance that is in one of these modes; what it throws becomes a message and fmi2Error.
+/// Does `work` on an instance that is in one of these modes; an exception becomes a log message and fmi2Error.
 template <class Work>
 fmi2Status guarded(fmi2Component component, unsigned modes, const char* function, Work&& work) {
   if (component == nullptr) return fmi2Error;
@@ -51,10 +51,10 @@ fmi2Status set(fmi2Component component, const char* function, VariableType type,
   });
 }
 
-/// For what this FMU does not have, as its description says.
+/// For functions that this FMU does not support, as its modelDescription.xml declares.
 fmi2Status refuse(fmi2Component component, const char* function) {
   return guarded(component, any_mode, function,
-                 [](Fmi2Instance&) { throw std::runtime_error("this FMU has no such ability"); });
+                 [](Fmi2Instance&) { throw std::runtime_error("this FMU does not support this function"); });
 }
 
 }  // namespace
@@ -186,7 +186,7 @@ GYRO_FMI fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate 
                                           std::size_t size) {
   return guarded(component, any_mode, "fmi2SerializeFMUstate", [&](Fmi2Instance&) {
     const std::vector<char> saved = static_cast<SavedSlave*>(state)->bytes();
-    if (size < saved.size()) throw std::runtime_error("the room for the state is too small");
+    if (size < saved.size()) throw std::runtime_error("the buffer for the state is too small");
     std::memcpy(bytes, saved.data(), saved.size());
   });
 }
@@ -221,7 +221,7 @@ GYRO_FMI fmi2Status fmi2DoStep(fmi2Component component, fmi2Real time, fmi2Real 
                  [&](Fmi2Instance& instance) { instance.step(time, step); });
 }
 
-// Steps are done at once, so there is nothing to cancel or to wait for.
+// fmi2DoStep returns after the step, so there is nothing to cancel or to wait for.
 GYRO_FMI fmi2Status fmi2CancelStep(fmi2Component c) {
   return refuse(c, "fmi2CancelStep");
 }

@@ -43,7 +43,8 @@ DrivetrainParameters read_parameters(const std::string& guid, const std::string&
   std::ifstream stream(file, std::ios::binary);
   std::string first;
   if (!std::getline(stream, first)) throw BadInput(file + " cannot be read");
-  if (first != "guid " + guid) throw BadInput("the GUID asked for is " + guid + ", that of " + file + " another");
+  if (first != "guid " + guid)
+    throw BadInput("the master asks for the GUID " + guid + ", but " + file + " has another one");
   return drive_from_text({std::istreambuf_iterator<char>(stream), {}});
 }
 
@@ -66,7 +67,7 @@ SavedSlave SavedSlave::from_bytes(const char* bytes, std::size_t size) {
   const std::size_t minimum = sizeof state_magic + count * sizeof(double);
   if (size < minimum || (size - minimum) % sizeof(double) != 0 ||
       std::memcmp(bytes, state_magic, sizeof state_magic) != 0)
-    throw BadInput("these bytes are no saved state of this FMU");
+    throw BadInput("these bytes are not a saved state of this FMU");
   std::vector<double> numbers((size - sizeof state_magic) / sizeof(double));
   std::memcpy(numbers.data(), bytes + sizeof state_magic, numbers.size() * sizeof(double));
   saved.mode = static_cast<SlaveMode>(static_cast<unsigned>(numbers[0]));
@@ -76,7 +77,7 @@ SavedSlave SavedSlave::from_bytes(const char* bytes, std::size_t size) {
   });
   saved.parameters.assign(numbers.begin() + static_cast<std::ptrdiff_t>(next), numbers.end());
   if (static_cast<double>(saved.parameters.size()) != numbers[1])
-    throw BadInput("these bytes are no saved state of this FMU");
+    throw BadInput("these bytes are not a saved state of this FMU");
   return saved;
 }
 
@@ -100,7 +101,7 @@ void Fmi2Instance::apply_changes() {
 
 const DriveVariable& Fmi2Instance::variable(fmi2ValueReference reference, VariableType type) const {
   if (reference >= slave->variables().size() || slave->variables()[reference].type != type)
-    throw BadInput("value reference " + std::to_string(reference) + " is not there or of another type");
+    throw BadInput("value reference " + std::to_string(reference) + " does not exist or has another type");
   return slave->variables()[reference];
 }
 

@@ -13,11 +13,11 @@
 namespace gyro {
 namespace {
 
-constexpr std::size_t max_notes = 500;  ///< of one run: a slave may write one at every step
+constexpr std::size_t max_notes = 500;  ///< of one run, because a slave may write one in every step
 
 const char* name_of(fmi2Status status) {
   constexpr const char* names[] = {"fmi2OK", "fmi2Warning", "fmi2Discard", "fmi2Error", "fmi2Fatal", "fmi2Pending"};
-  return status >= fmi2OK && status <= fmi2Pending ? names[status] : "no status of FMI";
+  return status >= fmi2OK && status <= fmi2Pending ? names[status] : "a status that FMI does not define";
 }
 
 bool fine(fmi2Status status) {
@@ -60,7 +60,7 @@ struct FmuDrive::Messages {
     if (!fine(status)) self.last = text;
     if (self.muted || ++self.count > max_notes) return;
     self.notes.emplace_back(text);
-    if (self.count == max_notes) self.notes.emplace_back("it writes more messages, which are not kept");
+    if (self.count == max_notes) self.notes.emplace_back("further messages of this FMU are not kept");
   }
 };
 
@@ -72,7 +72,7 @@ FmuDrive::FmuDrive(FmuSetup setup)
     throw BadInput("declares that its state can be serialised, but has no function for it");
   if ((setup_.history && library_.get_integer == nullptr) ||
       (linked(FmuQuantity::tripped) && library_.get_boolean == nullptr))
-    throw BadInput("has Integer or Boolean outputs, but no function that gets them");
+    throw BadInput("has Integer or Boolean outputs, but lacks the functions that read them");
   callbacks_ = {&Messages::take, &std::calloc, &std::free, nullptr, messages_.get()};
   component_ = library_.instantiate(setup_.name.c_str(), fmi2CoSimulation, setup_.guid.c_str(),
                                     setup_.resources.c_str(), &callbacks_, fmi2False, fmi2False);
@@ -178,7 +178,7 @@ ShaftAdvance FmuDrive::gains(const Values& before, const Values& after, double d
   const auto gain = [&](FmuQuantity sum) {
     return after[static_cast<std::size_t>(sum)] - before[static_cast<std::size_t>(sum)];
   };
-  /// Gain of an integral, or the mean of its rate at both ends.
+  /// Gain of an integral; if it is not given, the mean of its rate at both ends times the duration.
   const auto integral = [&](FmuQuantity sum, FmuQuantity rate) {
     const auto k = static_cast<std::size_t>(rate);
     return linked(sum) ? gain(sum) : duration * (before[k] + after[k]) / 2;
@@ -244,7 +244,7 @@ void FmuDrive::report_history(std::vector<DriveEvent>& events) {
   events_reported_ = count;
   const int kept = std::min(new_events, static_cast<int>(history.times.size()));
   if (kept < new_events)
-    messages_->notes.push_back(std::to_string(new_events) + " events in one step, of which it keeps the last " +
+    messages_->notes.push_back(std::to_string(new_events) + " events in one step, of which the FMU keeps the last " +
                                std::to_string(kept));
   for (int k = kept - 1; k >= 0; --k) {
     const auto row = static_cast<std::size_t>(k);

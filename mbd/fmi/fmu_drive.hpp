@@ -41,7 +41,7 @@ constexpr VariableType type_of(FmuQuantity quantity) {
   return quantity == FmuQuantity::tripped ? VariableType::boolean : VariableType::real;
 }
 
-/// A variable of an FMU: SI value = factor x its value + offset.
+/// A variable of an FMU: value in SI units = factor x value of the FMU + offset.
 struct FmuLink {
   fmi2ValueReference reference = 0;
   double factor = 1, offset = 0;
@@ -58,18 +58,18 @@ using FmuLinks = std::array<std::optional<FmuLink>, fmu_quantities>;
 /// The quantities that an FMU with these links gives.
 DriveKnowledge knowledge_of(const FmuLinks& links);
 
-/// A parameter that is set before the start.
+/// A parameter that is set before the start; the value is in the unit of the FMU.
 struct FmuStart {
   fmi2ValueReference reference = 0;
   VariableType type = VariableType::real;
   double value = 0;
 };
 
-/// An FMU that is unpacked and whose variables are known.
+/// An unpacked FMU whose variables are known.
 struct FmuSetup {
-  std::filesystem::path library;
-  std::string name, guid, resources;  ///< resources: URI of the folder
-  bool state = false, serialisation = false;
+  std::filesystem::path library;              ///< shared library
+  std::string name, guid, resources;          ///< resources: URI of the folder
+  bool state = false, serialisation = false;  ///< whether it declares that its state can be saved, serialised
   FmuLinks links{};
   std::optional<FmuHistory> history;
   std::vector<FmuStart> starts;
@@ -78,14 +78,14 @@ struct FmuSetup {
 
 /// A drivetrain made by another program: an FMI 2.0 co-simulation slave.
 ///
-/// preview() takes a step and sets the slave back where the slave can save its state; otherwise it extrapolates the
-/// speed with the last acceleration. Integrals that the slave does not give are computed from speeds and torques at
-/// both ends of a window; what cannot be computed either is not known (knows()). Events are read from the slave's
-/// history, where it has one. Otherwise a change of `tripped` is a trip or a restart at the end of the step, and a halt
-/// of forward motion is a stall unless the motor's torque is known not to drive.
+/// If the slave can save its state, preview() takes a step and sets the slave back; otherwise it extrapolates the speed
+/// with the last acceleration. Integrals that the slave does not give are computed from speeds and torques at both ends
+/// of a window; knows() reports which quantities are available. Events are read from the slave's history, if it has
+/// one. Otherwise a change of `tripped` is a trip or a restart at the end of the step, and a halt of forward motion is
+/// a stall unless the motor's torque is known not to drive.
 class FmuDrive : public Drive {
  public:
-  /// Loads and initialises it. @throws BadInput when that fails
+  /// Loads and initialises the FMU. @throws BadInput if that fails
   explicit FmuDrive(FmuSetup setup);
   ~FmuDrive() override;
 
@@ -131,7 +131,7 @@ class FmuDrive : public Drive {
   FmuLibrary library_;
   fmi2Component component_ = nullptr;
   bool initialised_ = false, fatal_ = false;
-  mutable fmi2FMUstate saved_ = nullptr;  ///< allocated by the slave, reused
+  mutable fmi2FMUstate saved_ = nullptr;  ///< allocated by the slave; reused
   Values values_{};                       ///< at the end of the last advance
   double last_acceleration_ = 0;          ///< over the last advance [rad/s2]
   int events_reported_ = 0;

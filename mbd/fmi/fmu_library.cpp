@@ -9,22 +9,22 @@
 namespace gyro {
 
 FmuLibrary::FmuLibrary(const std::filesystem::path& file) {
-  // All symbols now, so that a missing one is said here; none for others, so that two FMUs do not meet.
+  // RTLD_NOW reports missing symbols here; RTLD_LOCAL keeps the symbols of two FMUs apart.
   void* const opened = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (opened == nullptr) {
     const char* reason = dlerror();
     const std::string text = reason != nullptr ? reason : "unknown reason";
-    // Some are made for a host that brings an interpreter along.
+    // Some FMUs rely on a host program that contains an interpreter.
     const bool lacks = text.find("undefined symbol") != std::string::npos;
     throw BadInput(
         "its library cannot be loaded: " + text +
-        (lacks ? ", which another library has; LD_PRELOAD= that one before the command (a PythonFMU needs libpython3)"
+        (lacks ? "; if another library has it, start the command with LD_PRELOAD=LIBRARY (a PythonFMU needs libpython3)"
                : ""));
   }
   handle = std::shared_ptr<void>(opened, [](void* library) { dlclose(library); });
   const auto find = [&](auto*& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(opened, name));
-    if (function == nullptr) throw BadInput("its library has no " + std::string(name) + "; an FMI 2.0 library has it");
+    if (function == nullptr) throw BadInput("its library has no " + std::string(name) + "; FMI 2.0 requires it");
   };
   find(get_version, "fmi2GetVersion");
   find(instantiate, "fmi2Instantiate");
@@ -38,7 +38,7 @@ FmuLibrary::FmuLibrary(const std::filesystem::path& file) {
   find(set_integer, "fmi2SetInteger");
   find(set_boolean, "fmi2SetBoolean");
   find(do_step, "fmi2DoStep");
-  // Units without this ability may lack them, against the standard; who has it is asked for them.
+  // FMUs without this capability may lack these functions, against the standard; if they declare it, FmuDrive checks.
   const auto find_if_there = [&](auto*& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(opened, name));
   };

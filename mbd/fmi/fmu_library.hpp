@@ -10,10 +10,10 @@ namespace gyro {
 
 /// The functions of an FMU's shared library that a co-simulation master calls. Loading it runs its native code.
 struct FmuLibrary {
-  /// @throws BadInput when it cannot be loaded or lacks a function
+  /// @throws BadInput if the file cannot be loaded or lacks a required function
   explicit FmuLibrary(const std::filesystem::path& file);
 
-  std::shared_ptr<void> handle;  ///< closes the library, after all that uses the functions
+  std::shared_ptr<void> handle;  ///< closes the library when it is destroyed; functions are invalid after that
   fmi2GetVersionTYPE* get_version;
   fmi2InstantiateTYPE* instantiate;
   fmi2FreeInstanceTYPE* free_instance;
@@ -26,7 +26,7 @@ struct FmuLibrary {
   fmi2SetIntegerTYPE* set_integer;
   fmi2SetBooleanTYPE* set_boolean;
   fmi2DoStepTYPE* do_step;
-  // Null where there is none:
+  // Null if the library lacks them:
   fmi2GetIntegerTYPE* get_integer;
   fmi2GetBooleanTYPE* get_boolean;
   fmi2GetFMUstateTYPE* get_state;

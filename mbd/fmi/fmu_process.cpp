@@ -27,14 +27,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How an answer begins.
+/// First byte of an answer: whether the request succeeded, or how it failed.
 enum class Answer : char { done, bad_input, stopped };
 
 enum class Ended { no, closed, late };
 
 constexpr Clock::time_point never = Clock::time_point::max();
 
-/// At most an hour, which poll() can take.
+/// Time left, at most an hour, so that poll() can take it [ms].
 int milliseconds_until(Clock::time_point end) {
   constexpr int hour = 3'600'000;
   const Clock::time_point now = Clock::now();
@@ -42,7 +42,7 @@ int milliseconds_until(Clock::time_point end) {
   return static_cast<int>(std::max<long>(std::chrono::ceil<std::chrono::milliseconds>(end - now).count(), 0));
 }
 
-/// Reads all of `size` bytes, until a moment. Signals that interrupt are no reason to give up.
+/// Reads `size` bytes, at the latest until `end`. Continues after an interruption by a signal.
 Ended read_all(int socket, void* bytes, std::size_t size, Clock::time_point end) {
   char* at = static_cast<char*>(bytes);
   while (size > 0) {
@@ -120,13 +120,13 @@ std::string signal_text(int signal) {
 
 }  // namespace
 
-/// The other process: an FmuDrive that answers requests until the socket is closed.
+/// The child process: an FmuDrive that answers requests until the socket is closed.
 class FmuProcess::Server {
  public:
   Server(int socket, const FmuSetup& setup, std::chrono::milliseconds patience)
       : socket_(socket), patience_(patience), setup_(setup) {}
 
-  /// Never returns. Leaves by _exit(): objects that both processes have copies of belong to the other one.
+  /// Ends the process by _exit(), so that destructors of objects that belong to the parent process do not run here.
   [[noreturn]] void run() {
     limit_time();
     answer([this](Packet& out) {
@@ -144,7 +144,7 @@ class FmuProcess::Server {
   }
 
  private:
-  /// Ends this process when the FMU hangs and the other process is gone.
+  /// Ends this process if the FMU hangs and the parent process no longer exists.
   void limit_time() const { ::alarm(static_cast<unsigned>(patience_.count() / 1000 + 5)); }
 
   void serve(Packet& in, Packet& out) {
@@ -173,7 +173,7 @@ class FmuProcess::Server {
     } catch (const std::exception& thrown) {
       kind = Answer::stopped, reason = "the drivetrain FMU " + setup_.name + " threw an exception: " + thrown.what();
     } catch (...) {
-      kind = Answer::stopped, reason = "the drivetrain FMU " + setup_.name + " threw something unknown";
+      kind = Answer::stopped, reason = "the drivetrain FMU " + setup_.name + " threw an exception of unknown type";
     }
     Packet packet;
     packet.put(kind).put_list(reason).put(drive_ ? now() : Now{});
@@ -192,7 +192,7 @@ class FmuProcess::Server {
   std::optional<FmuDrive> drive_;
 };
 
-/// This program's end of the socket, and the other process.
+/// This program's end of the socket, and the child process.
 class FmuProcess::Channel {
  public:
   Channel(const FmuSetup& setup, std::chrono::milliseconds patience);
@@ -201,7 +201,7 @@ class FmuProcess::Channel {
   Channel& operator=(const Channel&) = delete;
 
   /// Sends a request, if there is one, and waits for the answer's body.
-  /// @throws BadInput, StoppedByGuard as the other process did, or StoppedByGuard when it is gone or does not answer
+  /// @throws BadInput, StoppedByGuard as the child process did; StoppedByGuard if it has ended or does not answer
   Packet ask(const Packet* request, Now& now, std::vector<std::string>& notes);
 
  private:
@@ -218,17 +218,17 @@ FmuProcess::Channel::Channel(const FmuSetup& setup, std::chrono::milliseconds pa
     : name_(setup.name), patience_(patience) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    throw std::system_error(errno, std::generic_category(), "the FMU's process needs a socket");
-  std::cout << std::flush;  // else both processes would write what waits
+    throw std::system_error(errno, std::generic_category(), "cannot create the socket for the FMU's process");
+  std::cout << std::flush;  // otherwise both processes would write the buffered output
   std::cerr << std::flush;
   std::fflush(nullptr);
   process_ = ::fork();
   if (process_ == 0) {
-    // A signal to the terminal's group is for the program, which may want to save the FMU's state first.
+    // The parent process handles signals to the terminal's group, because it may save the FMU's state first.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU}) ::signal(signal, SIG_IGN);
     for (const int signal : {SIGPIPE, SIGXFSZ, SIGALRM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
       ::signal(signal, SIG_DFL);
-    constexpr int kept = 3;  // no other file of the program stays open here, such as the lock of its directory
+    constexpr int kept = 3;  // all other files are closed here, such as the lock of the run's directory
     if (::dup2(ends[1], kept) != kept) ::_exit(1);
     ::close_range(kept + 1, ~0U, 0);
     Server(kept, setup, patience).run();
@@ -238,7 +238,7 @@ FmuProcess::Channel::Channel(const FmuSetup& setup, std::chrono::milliseconds pa
   if (process_ < 0) {
     const int reason = errno;
     ::close(socket_);
-    throw std::system_error(reason, std::generic_category(), "the FMU's process cannot be started");
+    throw std::system_error(reason, std::generic_category(), "cannot start the FMU's process");
   }
 }
 
@@ -273,7 +273,7 @@ void FmuProcess::Channel::give_up(Ended how) {
 }
 
 Packet FmuProcess::Channel::ask(const Packet* request, Now& now, std::vector<std::string>& notes) {
-  if (process_ < 0) throw StoppedByGuard("the drivetrain FMU " + name_ + " is gone");
+  if (process_ < 0) throw StoppedByGuard("the drivetrain FMU " + name_ + " has ended");
   if (request != nullptr && !send_packet(socket_, *request)) give_up(Ended::closed);
   Packet answer;
   if (const Ended ended = receive_packet(socket_, answer, Clock::now() + patience_); ended != Ended::no) give_up(ended);

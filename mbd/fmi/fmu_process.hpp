@@ -10,8 +10,8 @@
 namespace gyro {
 
 /// An FmuDrive in a process of its own, which is forked from this one. Nothing that the FMU's code does to memory,
-/// rounding mode, signals or by calling exit() reaches this program. When that process ends, or does not answer within
-/// the patience, the run is stopped with the reason. A call takes some 20 us longer than in this process.
+/// rounding mode, signals or by calling exit() reaches this program. If that process ends, or does not answer within
+/// `patience`, the run is stopped with the reason. A call takes about 20 us longer than in this process.
 ///
 /// The FMU still has the rights of the user: it can read and write the user's files.
 class FmuProcess final : public Drive {
@@ -38,7 +38,7 @@ class FmuProcess final : public Drive {
   std::vector<std::string> take_notes() override;
 
  private:
-  /// What the FMU shows at the end of the last advance.
+  /// Quantities of the FMU at the end of the last advance.
   struct Now {
     double energy = 0;        ///< [J]
     double motor_speed = 0;   ///< [rad/s]

@@ -10,13 +10,14 @@
 
 namespace gyro {
 
-/// Bytes that two processes of this program exchange: values, texts and lists one behind the other.
+/// Message between two processes of this program: a sequence of values and lists, read in the order of writing.
 class Packet {
  public:
   Packet() = default;
   explicit Packet(std::vector<char> bytes) : bytes_(std::move(bytes)) {}
   const std::vector<char>& bytes() const { return bytes_; }
 
+  /// Appends the bytes of a value.
   template <class T>
   Packet& put(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -24,6 +25,7 @@ class Packet {
     bytes_.insert(bytes_.end(), begin, begin + sizeof(T));
     return *this;
   }
+  /// Appends the size of a list or text, then its values.
   template <class List>
   Packet& put_list(const List& list) {
     put(list.size());
@@ -31,7 +33,7 @@ class Packet {
     return *this;
   }
 
-  /// @throws std::out_of_range when fewer bytes are left
+  /// The next value. @throws std::out_of_range if too few bytes are left
   template <class T>
   T get() {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -41,6 +43,7 @@ class Packet {
     read_ += sizeof(T);
     return value;
   }
+  /// The next list. @throws std::out_of_range if too few bytes are left
   template <class List>
   List get_list() {
     List list;

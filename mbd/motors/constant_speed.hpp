@@ -5,7 +5,7 @@
 
 namespace gyro {
 
-/// Ideal drive: the shaft turns at this speed whatever the load, and the torque is what the load demands (ShaftModel).
+/// Ideal drive: the shaft turns at this speed under any load; ShaftModel computes the torque that the load requires.
 struct ConstantSpeedMotor {
   static constexpr const char* model = "constant_speed";
 

@@ -12,7 +12,7 @@ void CurveMotor::check() const {
   const auto not_finite = [](double value) { return !std::isfinite(value); };
   if (speeds.size() < 2 || speeds.size() != torques.size())
     throw BadInput("motor: the curve has " + std::to_string(speeds.size()) + " speeds and " +
-                   std::to_string(torques.size()) + " torques; it must have as many of both, at least two");
+                   std::to_string(torques.size()) + " torques; it must have the same number of both, at least two");
   if (std::ranges::any_of(speeds, not_finite) || std::ranges::any_of(torques, not_finite))
     throw BadInput("motor: a value of the curve is not finite; all must be numbers");
   if (std::ranges::adjacent_find(speeds, std::greater_equal{}) != speeds.end())

@@ -20,8 +20,8 @@ double sum_current(const DoubleCageMotor& motor, double slip) {
   return std::abs(motor.inner.current(slip) + motor.outer.current(slip));
 }
 
-/// Cages, in units of TN, for a breakdown torque of the inner cage: that of the outer one makes T(1)
-/// right, the breakdown slip of the inner one T(sN). Nothing where that cannot be.
+/// Cages, in units of TN, for a breakdown torque of the inner cage. The outer cage's breakdown torque is chosen to meet
+/// T(1), the inner cage's breakdown slip to meet T(sN). None if no such cages exist.
 std::optional<DoubleCageMotor> with_inner(const DoubleCageMotor& plate, double inner_torque) {
   const double s = plate.rated_slip, outer_share = 2 * s / (1 + s * s);  // of the outer cage at sN
   const auto cages = [&](double outer_torque) -> std::optional<DoubleCageMotor> {
@@ -33,7 +33,7 @@ std::optional<DoubleCageMotor> with_inner(const DoubleCageMotor& plate, double i
     motor.inner = {inner_torque, s * (ratio + std::sqrt(ratio * ratio - 1))};
     return motor;
   };
-  // A larger outer cage leaves less for the inner one, whose share at standstill then rises: so bisect.
+  // With a larger outer cage the inner one has less torque at sN, and T(1) rises: T(1) is monotonic, so bisect.
   double low = 0, high = std::min(plate.starting_ratio, 1 / outer_share);
   const auto too_weak = [&](double outer_torque) {
     const auto motor = cages(outer_torque);

@@ -54,8 +54,8 @@ enum class NemaDesign { a, b, c, d };
 /// prints for the letter (locked rotor, breakdown, slip):
 ///   A  70-275 %, 175-300 %, 0.5-5 %:  1.5, 2.8, 1.5 %      B  as A, with less current:  1.5, 2.2, 1.5 %
 ///   C  200-250 %, 190-225 %, 1-5 %:   2.25, 2.1, 2 %       D  275 %, 275 %, 5-8 %:      2.75, 2.78, 6.5 %
-/// C is the usual one for crushers that start under load. The bands are from the handbook, the values inside them are
-/// our choice: give a double_cage motor its own figures where they are known.
+/// C is usual for crushers that start under load. The bands are from the handbook; the values inside them are our
+/// choice. If the figures of a motor are known, use a double_cage motor with them.
 DoubleCageMotor nema_motor(NemaDesign design, double rated_power, double synchronous_speed);
 
 }  // namespace gyro

@@ -65,7 +65,7 @@ TEST_CASE("An ensemble's error is the mean of paired differences over the refere
   CHECK(down.error == Approx(1.0 / 21));
 }
 
-TEST_CASE("Errors of a path do not cancel, names agree or not, an invariant is held against zero") {
+TEST_CASE("Errors of a path do not cancel, identities agree or not, and an invariant is compared with zero") {
   const std::vector<double> measured{11, 18, nothing}, reference{10, 20, 30}, coarse{10.1, 20, 30};
   const Deviation path = deviation(Family::path, {measured, reference, coarse});
   CHECK(path.error == Approx(0.1));  // +10 %, -10 %
@@ -82,7 +82,7 @@ TEST_CASE("Errors of a path do not cancel, names agree or not, an invariant is h
   CHECK(invariant.noise == Approx(0.002));
 }
 
-TEST_CASE("The size that 80 % of the mass pass") {
+TEST_CASE("The size that 80 % of the mass passes") {
   const std::vector<double> sizes{0.03, 0.01, 0.02}, masses{2, 1, 1};
   // Middles of the shares by rising size: 1/8, 3/8, 3/4. 80 % lies beyond the last: the largest.
   CHECK(passing_size(sizes, masses, 0.8) == Approx(0.03));
@@ -91,7 +91,7 @@ TEST_CASE("The size that 80 % of the mass pass") {
   CHECK(passing_size(sizes, masses, 0.05) == Approx(0.01));
 }
 
-TEST_CASE("The force at the first break is drawn out from the windows before it") {
+TEST_CASE("The force at the first break is extrapolated from the windows before it") {
   FirstBreak first;
   CHECK(std::isnan(first.time()));
   const double dt = 1e-6;
@@ -109,7 +109,7 @@ TEST_CASE("The force at the first break is drawn out from the windows before it"
   CHECK(first.time() == Approx(34e-6));
 }
 
-TEST_CASE("Margins of neighbour lists change no value, the step does") {
+TEST_CASE("Skins of neighbour lists change no value, but the step does") {
   const AccuracyScene& scene = accuracy_scenes().front();
   REQUIRE(scene.name == "platen");
   const auto member = [&](KnobSetting setting) {
@@ -130,7 +130,7 @@ TEST_CASE("Margins of neighbour lists change no value, the step does") {
   CHECK(a.simulated_seconds == Approx(5e-3));
 }
 
-TEST_CASE("bench accuracy --json prints points of the documented shape, margins have an error of exactly 0") {
+TEST_CASE("bench accuracy --json prints points of the documented form, and skins have an error of exactly 0") {
   const Workplace place;
   const AccuracyScene scene = short_platen(place.path());
   const std::vector<std::string> before = place.listing();
@@ -166,7 +166,7 @@ TEST_CASE("bench accuracy --json prints points of the documented shape, margins 
                     Catch::Matchers::Contains("was made with another case"));
 }
 
-TEST_CASE("bench accuracy says what to do") {
+TEST_CASE("Errors of bench accuracy say what to do") {
   const Workplace place;
   const Outcome scene = place.gyrosim("bench accuracy --scene wegde --json");
   CHECK(scene.code == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No particle leaves the chamber but through its ends, and none is thrown about.
+// Particles leave the chamber only through its ends, and none is too fast.
 #include "app/assembly/assembly.hpp"
 #include "app/simulation/device.hpp"
 #include "core/scene/wall_motion.hpp"
@@ -22,7 +22,7 @@ double radius_at(const std::vector<LinerRow>& rows, double LinerRow::*radius, do
   return -1;
 }
 
-/// How far the worst particle's centre is inside the chamber, in radii, and how fast the fastest goes.
+/// Smallest distance of a particle's centre to the liners, in radii, and the largest speed.
 struct Survey {
   double room = 1e300, speed = 0;
   std::size_t seen = 0;
@@ -69,7 +69,7 @@ TEST_CASE("Rock that is crushed stays between mantle and concave") {
   const Survey seen = survey(GYRO_APP_CASES "/crush.yaml", 0.06);
   CHECK(seen.seen > 10000);
   CHECK(seen.room > 0.6);
-  CHECK(seen.room < 1.2);  // some rock touches the liners
+  CHECK(seen.room < 1.2);  // some particles touch the liners
   CHECK(seen.speed < 12);
 }
 

@@ -23,7 +23,7 @@ json document(const Workplace& place, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("check --json says what a case takes") {
+TEST_CASE("check --json reports the size and cost of a case") {
   const Workplace place;
   const json j = document(place, "check " + platen + " --json");
   CHECK(j["valid"] == true);
@@ -37,7 +37,7 @@ TEST_CASE("check --json says what a case takes") {
   CHECK(j["estimated_seconds"] > 0);
   CHECK(place.listing().empty());
 
-  // What check promises is what run puts in.
+  // The counts of check are those of the run.
   REQUIRE(place.gyrosim("run " + platen + " --until '0.5 ms' --out r").code == 0);
   const json summary = summary_of(place.path() / "r");
   CHECK(summary["particles"] == j["particles"]);
@@ -66,7 +66,7 @@ TEST_CASE("check in words names step, limit, counts, memory and time") {
     CHECK(outcome.out.find(word) != std::string::npos);
 }
 
-TEST_CASE("library --json lists every rock, the same at every call") {
+TEST_CASE("library --json lists every rock, with the same values in every call") {
   const Workplace place;
   const json first = document(place, "library " + crush + " --json"),
              second = document(place, "library " + crush + " --json");
@@ -83,7 +83,7 @@ TEST_CASE("library --json lists every rock, the same at every call") {
   }
 }
 
-TEST_CASE("library --out keeps every rock, and a picture") {
+TEST_CASE("library --out writes every rock, and a picture") {
   const Workplace place;
   const json j = document(place, "library " + crush + " --out l --json");
   CHECK(place.listing() == std::vector<std::string>{"l", "l/bonds.pvd", "l/library.h5", "l/particles.pvd",
@@ -106,7 +106,7 @@ TEST_CASE("library --out keeps every rock, and a picture") {
   }
 }
 
-TEST_CASE("liners --json measures the setting that the case asks for") {
+TEST_CASE("liners --json measures the setting of the case") {
   const Workplace place;
   const json j = document(place, "liners " + crush + " --out l --json");
   CHECK(j["closed_side_setting"].get<double>() == Approx(0.015).margin(1e-6));
@@ -121,7 +121,7 @@ TEST_CASE("liners --json measures the setting that the case asks for") {
   CHECK(place.listing() == std::vector<std::string>{"l", "l/concave.stl", "l/mantle.stl"});
 }
 
-TEST_CASE("What would run and do nothing is refused: a feed of less than a rock, a drive that moves nothing") {
+TEST_CASE("A feed of less than a rock and a drive without a wall to move are refused") {
   const Workplace place;
   const std::string drive =
       "'drivetrain={motor: {model: constant_speed, speed: 100}, gear_ratio: 1, inertia: {eccentric: 1}}' "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outline of the concave, which tells the discharge opening from the rim, from a profile and from a mesh.
+// The outline of the concave, which distinguishes the discharge opening from the rim, from a profile and from a mesh.
 #include "app/assembly/walls.hpp"
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
@@ -41,7 +41,7 @@ TEST_CASE("A bulge of a mesh belongs to the inside") {
   CHECK(concave_outline(std::vector<Wall>{concave(mesh)})->radius(0.3) == Approx(1.5 * 0.21).epsilon(1e-3));
 }
 
-TEST_CASE("There is no outline without a fixed wall called concave, and of half a concave") {
+TEST_CASE("There is no outline without a fixed wall called concave, nor for half a concave") {
   CHECK_FALSE(concave_outline({}));
   CHECK_FALSE(concave_outline(std::vector<Wall>{{"liner", bell, Fixed{}, 0}}));
   CHECK_FALSE(concave_outline(std::vector<Wall>{{"concave", bell, LinearMotion{{0, 0, 1}}, 0}}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs that would take more than there is: said within a second or so, before rock is placed or a directory made.
+// Cases that exceed memory or ids are refused within about a second, before rock is placed or a directory made.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 const std::string quickstart = "'" GYRO_CASES "/quickstart.yaml'";
 const std::string no_passing = " --set rocks.sizes.passing=null";
 
-/// The quickest of a few calls: others may use the machine.
+/// The shortest time of a few calls, because other programs may use the machine.
 struct Timed {
   Outcome outcome;
   double seconds = 1e300;
@@ -42,7 +42,7 @@ void refused(const Workplace& place, const std::string& options, const std::stri
 
 }  // namespace
 
-TEST_CASE("A plant's whole grading and sizes in metres are refused with the count") {
+TEST_CASE("The whole grading of a plant and sizes in metres are refused with the count") {
   const Workplace place;
   place.write("plant.csv", "size_mm,passing_percent\n0.05,0\n0.075,5\n10,40\n60,100\n");
   place.write("metres.csv", "size_mm,passing_percent\n0.03,0\n0.06,100\n");
@@ -60,7 +60,7 @@ TEST_CASE("Absurd times are refused with the count of steps") {
   refused(place, " --set coupling.interval='1e6 s'", "more than 1e9 steps");
 }
 
-TEST_CASE("check of a million rocks counts without placing all of them") {
+TEST_CASE("check counts a million rocks without placing all of them") {
   const Workplace place;
   place.write(
       "case.yaml",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run does to its directory, and how it ends.
+// The directory of a run, and the ways in which a run ends.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 
@@ -30,7 +30,7 @@ TEST_CASE("Without --out every run gets a new directory, named after its case") 
   CHECK(fs::exists(place.path() / "runs/box-002/summary.json"));
 }
 
-TEST_CASE("A run leaves results, log, resolved case and summary, the resolved case runs alike") {
+TEST_CASE("A run writes results, log, resolved case and summary, and the resolved case gives the same run") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + box + " --until '20 ms' --out a --set case.seed=7").code == 0);
   for (const char* name : {"results.h5", "summary.json", "log.txt", "case.yaml", "particles.pvd", "walls.pvd"})
@@ -41,7 +41,7 @@ TEST_CASE("A run leaves results, log, resolved case and summary, the resolved ca
   CHECK(read_text(place.path() / "a/case.yaml") == read_text(place.path() / "b/case.yaml"));
 }
 
-TEST_CASE("A finished run is left alone, --overwrite starts it again") {
+TEST_CASE("A finished run is not changed, and --overwrite starts it again") {
   const Workplace place;
   const std::string run = "run " + box + " --out r";
   REQUIRE(place.gyrosim(run + " --until '1 ms'").code == 0);
@@ -54,7 +54,7 @@ TEST_CASE("A finished run is left alone, --overwrite starts it again") {
   CHECK(summary_of(place.path() / "r")["simulated_seconds"].get<double>() == Approx(0.002));
 }
 
-TEST_CASE("The time of --until is reached, whatever the windows, in any unit and beyond the case's duration") {
+TEST_CASE("A run reaches the time of --until for any windows, in any unit and beyond the case's duration") {
   const Workplace place;
   int k = 0;
   for (const auto& [until, reached] : std::vector<std::pair<std::string, double>>{
@@ -67,7 +67,8 @@ TEST_CASE("The time of --until is reached, whatever the windows, in any unit and
   }
 }
 
-TEST_CASE("A signal ends a run at its window, files closed, exit code 75, the next call asks what to do") {
+TEST_CASE(
+    "A signal ends a run after its window with closed files and exit code 75, and the next call asks what to do") {
   const std::string signal = GENERATE(as<std::string>{}, "TERM", "INT", "USR1", "HUP", "XCPU");
   const Workplace place;
   CHECK(place.gyrosim_with_signal("run " + endless + " --out r --quiet", signal, 1).code == 75);
@@ -94,13 +95,13 @@ TEST_CASE("A signal that the caller ignores is ignored") {
   CHECK(summary_of(place.path() / "r")["reason"] == "--max-walltime is over");
 }
 
-TEST_CASE("Closed standard streams harm no file of a run") {
+TEST_CASE("Closed standard streams do not damage the files of a run") {
   const Workplace place;
   CHECK(place.shell("$GYROSIM run " + box + " --out r --until '5 ms' <&- >&- 2>&-").code == 0);
   CHECK(result_of(place.path() / "r", "series/time").back() == Approx(5e-3));
 }
 
-TEST_CASE("A second run on a directory is refused and leaves the first alone, also with --resume or --overwrite") {
+TEST_CASE("A second run on a directory is refused and does not affect the first, also with --resume or --overwrite") {
   const Workplace place;
   const std::string second = GENERATE(as<std::string>{}, "", "--resume", "--overwrite");
   place.write("two.sh", "$GYROSIM run " + endless +
@@ -130,7 +131,7 @@ TEST_CASE("The end of --max-walltime ends a run with exit code 75") {
   CHECK(summary_of(place.path() / "r")["reason"].get<std::string>().find("--max-walltime") != std::string::npos);
 }
 
-TEST_CASE("A run that the guard stops has exit code 4 and says why") {
+TEST_CASE("A run that the guard stops has exit code 4 and reports the reason") {
   const Workplace place;
   // A sphere so fast that it would pass another one within a step.
   place.write("two.csv", "id,x,y,z,r,vx,vy,vz\n1,0,0,0.05,0.01,0,0,0\n2,0.05,0,0.05,0.01,0,0,900\n");
@@ -142,7 +143,7 @@ TEST_CASE("A run that the guard stops has exit code 4 and says why") {
   CHECK(summary_of(place.path() / "r")["reason"].get<std::string>().find("particle 2 moves by") != std::string::npos);
 }
 
-TEST_CASE("Standard output holds the summary alone, nothing with --quiet") {
+TEST_CASE("Standard output has only the summary, and with --quiet it is empty") {
   const Workplace place;
   const Outcome loud = place.gyrosim("run " + box + " --until '1 ms' --out a");
   CHECK(loud.out.find("done") != std::string::npos);

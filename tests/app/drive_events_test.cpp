@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of a run whose rock stops the drive, or whose relay trips: motion, accounts, summary, resumption.
+// Runs in which rock stops the drive or a relay trips: motion, accounts, summary, resumption.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 const std::string crush = "run '" GYRO_APP_CASES "/crush.yaml' --quiet --set output.snapshots=0 ";
 
-/// Rock that does not break in front of a drive that is as weak as it is light.
+/// Rock that does not break, and a weak drive with little inertia.
 const std::string jam = crush +
                         "--set bonds.tensile_strength='450 MPa' --set bonds.shear_strength='300 MPa' "
                         "--set drivetrain.motor.stall_torque='1 N m' --set drivetrain.losses.load_factor=0.3 "
@@ -32,7 +32,7 @@ std::vector<Happening> happenings(const fs::path& run) {
   return all;
 }
 
-/// Largest |value| of a series in rows that lie wholly after a time; -1 if there is none.
+/// Largest |value| of a series in rows completely after a time; -1 if there is none.
 double largest_after(const fs::path& run, const std::string& series, double time) {
   const std::vector<double> end = result_of(run, "series/time"), value = result_of(run, "series/" + series);
   double largest = -1;
@@ -68,7 +68,7 @@ constexpr double idle = 1697.0 / 60 * 2 * 3.14159265358979323846 / 3.75;  // [ra
 
 }  // namespace
 
-TEST_CASE("A relay trips under rock: the machine coasts on, or is braked to a halt, and the summary says which") {
+TEST_CASE("A relay trips under rock: the machine coasts or is braked to a halt, and the summary reports it") {
   const double brake = GENERATE(0.0, 25.0);  // at the motor [N m]
   const Workplace place;
   const Outcome outcome =
@@ -86,7 +86,7 @@ TEST_CASE("A relay trips under rock: the machine coasts on, or is braked to a ha
   CHECK(trip < 0.03);
   const double maximum = result_of(run, "series/motor_torque")[static_cast<std::size_t>(trip / 0.5e-3) - 1];
   CHECK(maximum > 0);
-  CHECK(maximum < 0.02);  // what the relay lets pass [N m]
+  CHECK(maximum < 0.02);  // torque that the relay does not detect [N m]
   CHECK(largest_after(run, "motor_torque", trip) == 0);
   CHECK(largest_after(run, "motor_power", trip) == 0);
   const nlohmann::json summary = summary_of(run);
@@ -103,14 +103,14 @@ TEST_CASE("A relay trips under rock: the machine coasts on, or is braked to a ha
     return;
   }
   CHECK(events[1].what == "standstill");
-  // The rock's torque is some per cent of the brake's.
+  // The rock's torque is a few per cent of the brake's.
   CHECK(events[1].time - trip == Approx(inertia * idle / (3.75 * brake)).epsilon(0.05));
   CHECK(largest_after(run, "eccentric_speed", events[1].time) == 0);
   const std::vector<double> angle = result_of(run, "series/eccentric_angle");
   CHECK(angle[angle.size() - 1] == angle[angle.size() - 10]);
 }
 
-TEST_CASE("Rock that does not break stalls the drive for good, and a run in parts has the same stall") {
+TEST_CASE("Rock that does not break stalls the drive for good, and a resumed run has the same stall") {
   const Workplace place;
   const std::string run = jam +
                           "--set 'drivetrain.protection={under_speed: 0.3, under_speed_delay: 30 ms, "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drivetrains as FMUs, as a user meets them: written, used in a run, refused.
+// Drivetrains as FMUs through the program: exported, used in a run, refused.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/fmu/foreign.hpp"
@@ -17,7 +17,7 @@ const std::string crush_case = "'" GYRO_APP_CASES "/crush.yaml' ";
 const std::string losses = "--set 'drivetrain.losses={no_load: 20 W, load_factor: 0.05}' ";
 const std::string crush = "run " + crush_case + "--set output.snapshots=0 ";
 
-/// Whole drivetrains in the place of the case's own.
+/// Complete drivetrains that replace the one of the case.
 std::string with_drive(const std::string& keys) {
   return "--set 'drivetrain={" + keys + "}' ";
 }
@@ -40,7 +40,7 @@ void require_close(const fs::path& a, const fs::path& b, double tolerance) {
       largest = std::max(largest, std::abs(one[k].second[i]));
       apart = std::max(apart, std::abs(one[k].second[i] - other[k].second[i]));
     }
-    // The power residual is what rounding leaves of the motor's power.
+    // The power residual consists of the rounding errors of the motor's power.
     CHECK(apart <= tolerance * (one[k].first == "ledger/power_residual" ? 1e3 : largest));
   }
 }
@@ -74,7 +74,7 @@ TEST_CASE("A run with the exported FMU has the numbers of the built-in drivetrai
   CHECK(read_text(place.path() / "again.fmu") == read_text(place.path() / "drive.fmu"));
 }
 
-TEST_CASE("A relay of the exported FMU trips as that of the built-in drivetrain, and the summary says so") {
+TEST_CASE("A relay of the exported FMU trips as that of the built-in drivetrain, and the summary reports it") {
   const Workplace place;
   const std::string relay =
       "--set drivetrain.inertia.eccentric='0.01 kg m2' --set 'drivetrain.protection={instantaneous_ratio: 0.2, "
@@ -117,7 +117,7 @@ TEST_CASE("A foreign FMU turns the crusher, without checkpoints when it cannot s
   const auto there = [&](const char* name) { return std::ranges::find(series, name) != series.end(); };
   CHECK(there("eccentric_angle"));
   CHECK(there("motor_torque"));
-  CHECK(!there("motor_power"));  // nobody says it
+  CHECK(!there("motor_power"));  // the FMU does not give it
   CHECK(result_of(place.path() / "r", "series/eccentric_speed").front() == Approx(47.39).epsilon(1e-3));
   const Outcome later = place.gyrosim(crush + with_foreign(place) + "--until '6 ms' --out r --resume");
   CHECK(later.code == 2);
@@ -136,7 +136,7 @@ TEST_CASE("A foreign FMU that fails stops the run with its reason") {
   CHECK(result_of(place.path() / "r", "series/time").back() == Approx(0.003));
 }
 
-TEST_CASE("An FMU that calls exit(0) stops the run, which has its checkpoint and its summary") {
+TEST_CASE("An FMU that calls exit(0) stops the run, which still writes its checkpoint and its summary") {
   const Workplace place;
   write_foreign_fmu(place.path() / "foreign.fmu");
   const Outcome run = place.gyrosim(crush + with_foreign(place, ", parameters: {misdeed: 1, misdeed_at: 0.003}") +
@@ -147,7 +147,7 @@ TEST_CASE("An FMU that calls exit(0) stops the run, which has its checkpoint and
   CHECK(result_of(place.path() / "r", "series/time").back() == Approx(0.003));
 }
 
-TEST_CASE("The check of a case says that it starts native code before it does") {
+TEST_CASE("The check of a case warns before it starts native code") {
   const Workplace place;
   write_foreign_fmu(place.path() / "foreign.fmu");
   CHECK_THAT(place.gyrosim("check " + crush_case + with_foreign(place)).err,
@@ -155,7 +155,7 @@ TEST_CASE("The check of a case says that it starts native code before it does") 
   CHECK(place.gyrosim("check " + crush_case).err.empty());
 }
 
-TEST_CASE("An FMU that cannot be used is refused before anything is written, at its place in the case") {
+TEST_CASE("An FMU that cannot be used is refused with its place in the case before any file is written") {
   const Workplace place;
   const auto refused = [&](const std::string& set) {
     const Outcome run = place.gyrosim(crush + set + "--out r");

@@ -11,7 +11,7 @@ namespace {
 
 using Test = CaseLaboratory::Test;
 
-/// The platens meet the rock after 10 ms at 0.1 m/s; the force rises with the stiffness until the rock splits in two
+/// The platens touch the rock after 10 ms at 0.1 m/s; the force rises with the stiffness until the rock splits in two
 /// and the force falls to 0.3 of it.
 Compression test_of(Test test, double stiffness, double failure) {
   Compression c;
@@ -59,7 +59,7 @@ TEST_CASE("Waves on the curve hardly change the stiffness") {
   CHECK(*evaluate(c).figures.stiffness == Approx(1e6).epsilon(0.035));  // 6 A/(pi n span); two points: 2 A/span = 0.25
 }
 
-TEST_CASE("The strength of a lump goes by the distance of the platens") {
+TEST_CASE("The strength of a lump depends on the distance of the platens") {
   const LaboratoryFigures f = evaluate(test_of(Test::platen, 1e6, 2000)).figures;
   CHECK(*f.failure_force == Approx(2000).epsilon(0.006));
   CHECK(*f.strength == Approx(0.9 * *f.failure_force / (0.06 * 0.06)).epsilon(1e-3));
@@ -72,10 +72,10 @@ TEST_CASE("The force of the first break is read from the curve") {
   CHECK(*evaluate(c).figures.first_break_force == Approx(990).epsilon(1e-3));
 }
 
-TEST_CASE("What breaks before the moving platen presses is no first break") {
+TEST_CASE("A bond that breaks before the moving platen presses does not count as the first break") {
   Compression c = test_of(Test::platen, 1e6, 2000);
   c.begin = 0.01;
-  c.breaks = {{0.002, -0.5}, {0.004, -0.5}, {0.0199, 0}};  // it fell onto the lower platen
+  c.breaks = {{0.002, -0.5}, {0.004, -0.5}, {0.0199, 0}};  // the rock fell onto the lower platen
   const LaboratoryFigures f = evaluate(c).figures;
   CHECK(f.broken_before == 2);
   CHECK(*f.first_break_force == Approx(990).epsilon(1e-3));
@@ -98,30 +98,30 @@ TEST_CASE("A Brazilian disc gives 2 F/(pi D t), and the share of its first break
 
 TEST_CASE("A cylinder fails at its largest force, if the force falls by 30 % from there after a break") {
   Compression c = test_of(Test::uniaxial, 1e6, 2000);
-  for (std::size_t k = 150; k < 160; ++k) c.force[k] *= 0.2;  // the ends are crushed until they bear
+  for (std::size_t k = 150; k < 160; ++k) c.force[k] *= 0.2;  // the ends are crushed before they carry load
   c.breaks = {{0.015, 0}};
   CHECK(*evaluate(c).figures.failure_force == Approx(2000).epsilon(0.006));
   for (std::size_t k = 299; k < 600; ++k) c.force[k] = 1500;
-  CHECK_FALSE(evaluate(c).figures.failure_force);  // it still bears 3/4
+  CHECK_FALSE(evaluate(c).figures.failure_force);  // it still carries 3/4
   for (std::size_t k = 550; k < 600; ++k) c.force[k] = 1300;
   CHECK(*evaluate(c).figures.failure_force == Approx(2000).epsilon(0.006));
   c.breaks.clear();
   CHECK_FALSE(evaluate(c).figures.failure_force);  // no bond has broken: it bounced
 }
 
-TEST_CASE("A rock pressed from two sides has failed when it splits, whatever its force did before") {
+TEST_CASE("A rock pressed from two sides fails when it splits, whatever its force before") {
   Compression c = test_of(Test::platen, 1e6, 1e9);
   c.breaks = {{0.015, 0}};
-  for (std::size_t k = 300; k < 310; ++k) c.force[k] *= 0.1;  // a corner comes off
+  for (std::size_t k = 300; k < 310; ++k) c.force[k] *= 0.1;  // a corner breaks off
   for (std::size_t k = 300; k < 600; ++k) c.largest_fragment[k] = 0.27;
   CHECK_FALSE(evaluate(c).figures.failure_force);
   for (std::size_t k = 500; k < 600; ++k) c.largest_fragment[k] = 0.199, c.force[k] *= 1.5;  // wedged apart
   const LaboratoryFigures f = evaluate(c).figures;
   CHECK(*f.failure_force == Approx(1e6 * 0.1 * (0.0501 - 0.01) * 1.5));  // of the row in which it was split
-  CHECK(f.size == Approx(0.06).margin(6e-5));                            // where they met, not after the corner
+  CHECK(f.size == Approx(0.06).margin(6e-5));                            // at first contact, not after the corner broke
 }
 
-TEST_CASE("Platens that never meet the rock measure nothing") {
+TEST_CASE("Platens that never touch the rock give no figures") {
   Compression c = test_of(Test::platen, 0, 1);
   CHECK(evaluate(c).curve.empty());
   CHECK_FALSE(evaluate(c).figures.failure_force);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the guard stops, and what it lets pass.
+// Balances that the guard accepts, and those at which it stops the run.
 #include "app/simulation/ledger.hpp"
 #include "app/simulation/momentum_balance.hpp"
 #include "tests/catch.hpp"
@@ -24,7 +24,7 @@ std::optional<std::string> verdict(double missing, Extremes extremes = {}) {
 
 }  // namespace
 
-TEST_CASE("The guard lets a balance pass that closes") {
+TEST_CASE("The guard accepts a balance that closes") {
   CHECK_FALSE(verdict(0));
   CHECK_FALSE(verdict(0.04));
   CHECK_FALSE(verdict(-0.04));
@@ -36,7 +36,7 @@ TEST_CASE("The guard stops a balance that does not close or is not a number") {
   CHECK(verdict(std::numeric_limits<double>::quiet_NaN()));
 }
 
-TEST_CASE("The guard sees a balance that does not close without any work") {
+TEST_CASE("The guard detects a balance that does not close even without work") {
   for (const double missing : {0.04, -0.04, 0.06, -0.9, 30.0}) {
     Ledger ledger;
     EnergyTerms before, after;
@@ -51,8 +51,9 @@ TEST_CASE("The guard sees a balance that does not close without any work") {
   }
 }
 
-TEST_CASE("The guard measures little work by the energy that is there") {
-  // A ball with 1 J hits a floor while gravity does 0.01 J: an error of 0.2 % of the impact is none of the balance.
+TEST_CASE("The guard relates the residual to the energy if there is little work") {
+  // A ball with 1 J hits a floor while gravity does 0.01 J: 0.2 % of the impact's energy is not an error of the
+  // balance.
   for (const double missing : {0.002, 0.06}) {
     Ledger ledger;
     EnergyTerms e;
@@ -79,14 +80,14 @@ TEST_CASE("The residual is a share of the larger of work and energy, as the guar
   e.wall_work = -2.4e-4;
   REQUIRE(e.residual() == Approx(-2.7e-6).epsilon(1e-6));
   REQUIRE_FALSE(ledger.close(0.001, e, {}));
-  CHECK(ledger.scale() == 12.9);  // of the start: none of it was seen at the end of a window
+  CHECK(ledger.scale() == 12.9);  // of the start; no window ended with this energy
   CHECK(ledger.residual_fraction() == Approx(-2.1e-7).epsilon(0.01));
   e.friction += 12.9 * 0.06;
   CHECK(ledger.close(0.002, e, {}));
   CHECK(ledger.residual_fraction() == Approx(0.06).epsilon(1e-3));
 }
 
-TEST_CASE("The guard knows that held contacts lag, and by how much") {
+TEST_CASE("The guard allows for the lag of held contacts") {
   // A force F t^(3/2) that begins at t = 0: its work is 2/5 F t^(5/2); the balance is off by that of the last contact
   // step.
   const double held = GENERATE(0.0, 2e-6), share = GENERATE(0.9, 3.0);
@@ -116,12 +117,12 @@ TEST_CASE("The guard names the particle and the limit") {
   CHECK_THAT(reason({.wall_step = 0.3, .fast_wall = 1}), Contains("wall belt moves by 0.3"));
 }
 
-TEST_CASE("The momentum balance lacks what no wall and no gravity has given") {
+TEST_CASE("The momentum residual is the momentum that neither walls nor gravity have given") {
   MomentumBalance balance;
   balance.open({1, 0, 0});
   balance.close({1, 2, -1}, std::vector<Vec3d>{{0, 0, -1}, {0, 4, 0}, {0, -2, 0}});
   CHECK(balance.residual() == 0);
-  balance.open({5, 0, 0});  // rock came between the windows
+  balance.open({5, 0, 0});  // rock was added between the windows
   balance.close({5, 0, -0.5}, std::vector<Vec3d>{{0, 0, -1}});
   CHECK(balance.residual() == 0.5);
   CHECK(balance.residual_fraction() == 0.5 / 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a crusher's run leaves about its drive and its liners.
+// Outputs of a crusher's run about its drive and its liners.
 #include "io/hdf5/hdf5.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
@@ -17,7 +17,7 @@ const std::string crush = "'" GYRO_APP_CASES "/crush.yaml'";
 
 }  // namespace
 
-TEST_CASE("Maps of the liners: asked for, they lie in results.h5, and add up") {
+TEST_CASE("Maps of the liners are in results.h5 if the case asks for them, and add up") {
   const Workplace place;
   const Outcome outcome =
       place.gyrosim("run " + crush +
@@ -50,7 +50,7 @@ TEST_CASE("Maps of the liners: asked for, they lie in results.h5, and add up") {
   CHECK(file.dataset("/series/wall_force_concave").columns() == 3);
 }
 
-TEST_CASE("A start-up is called one, and the motor's figures are those of its rows") {
+TEST_CASE("A run during start-up is reported as one, and the motor's figures are those of its rows") {
   const Workplace place;
   const Outcome outcome = place.gyrosim("run " + crush + " --until '6 ms' --out r --set output.snapshots=0");
   REQUIRE(outcome.code == 0);
@@ -67,7 +67,7 @@ TEST_CASE("A start-up is called one, and the motor's figures are those of its ro
   CHECK(summary["motor"]["rated_power"].is_null());  // droop has no name plate
 }
 
-TEST_CASE("A machine without rock is steady once it has run up, in parts as in one piece") {
+TEST_CASE("A machine without rock is steady once it has run up, with or without interruption") {
   const Workplace place;
   const std::string run =
       "run '" GYRO_CASES
@@ -117,7 +117,7 @@ TEST_CASE("report prints the summary again, and the log keeps it") {
 TEST_CASE("export csv writes the series with units in the names") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);
-  CHECK_FALSE(hdf5::File::open(place.path() / "run/results.h5").contains("/liners"));  // nobody asked
+  CHECK_FALSE(hdf5::File::open(place.path() / "run/results.h5").contains("/liners"));  // the case does not ask for maps
   const Outcome outcome = place.gyrosim("export csv run");
   REQUIRE(outcome.code == 0);
   std::istringstream text(outcome.out);

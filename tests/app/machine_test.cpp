@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The coupled run from inside: speeds and energies of the machine.
+// The coupled run in this process: speeds and energies of the machine.
 #include "tests/app/small_crusher.hpp"
 #include "tests/catch.hpp"
 
@@ -47,7 +47,7 @@ TEST_CASE("The window's means add up to the machine's work") {
   CHECK(motor == Approx(crushing + gain).margin(0.005 * crushing));
 }
 
-TEST_CASE("A motor of constant speed turns the eccentric at constant speed, whatever it crushes") {
+TEST_CASE("A motor of constant speed turns the eccentric at constant speed under any load") {
   SmallCrusher run({"drivetrain.motor=null", "drivetrain.motor={model: constant_speed, speed: 1697 rpm}"});
   const double wanted = 1697.0 / 60 * 2 * 3.14159265358979323846 / 3.75;
   double work = 0;
@@ -91,7 +91,7 @@ TEST_CASE("The energy account with rock closes to a thousandth, better in shorte
   CHECK(std::abs(drive.energy_residual()) < 5e-3 * moved);
 }
 
-TEST_CASE("What particles did to the walls adds up to the walls' loads, and noting it changes nothing") {
+TEST_CASE("The impulses of particles add up to the loads of the walls, and recording them changes no result") {
   SmallCrusher noted({"output.liners={interval: 10 ms}"}), plain({});
   REQUIRE(noted.assembly.setup.scene.wall_impulses);
   REQUIRE_FALSE(plain.assembly.setup.scene.wall_impulses);

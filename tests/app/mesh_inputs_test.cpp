@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes in another unit, frame or place than the machine's: said, and mended by keys of the case.
+// Meshes in another unit, frame or position than the machine's: reported, and corrected by keys of the case.
 #include "core/geometry/mesh_frame.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "io/mesh/stl.hpp"
@@ -38,7 +38,7 @@ struct MeshCrusher : Workplace {
 
 }  // namespace
 
-TEST_CASE("Liners drawn in mm, with y upwards and elsewhere, are put in place by scale, rotate and shift") {
+TEST_CASE("Liners drawn in mm, with y upwards and beside the axis, are corrected by scale, rotate and shift") {
   const MeshCrusher place;
   const Outcome as_drawn = place.gyrosim("liners stl.yaml --out o --json");
   place.redraw_both({-0.3, 0.2, -0.1}, {-right, 0, 0}, 1000);
@@ -63,7 +63,7 @@ TEST_CASE("Liners drawn in mm, with y upwards and elsewhere, are put in place by
   CHECK_THAT(plane.err, Contains("needs the key stl"));
 }
 
-TEST_CASE("Liners in another frame are refused or doubted, with the file and the key that mends it") {
+TEST_CASE("Liners in another frame are refused or noted, with the file and the key that corrects it") {
   const MeshCrusher place;
   SECTION("millimetres") {
     place.redraw_both({0, 0, 0}, {0, 0, 0}, 1e4);
@@ -91,7 +91,7 @@ TEST_CASE("Liners in another frame are refused or doubted, with the file and the
   }
 }
 
-TEST_CASE("A wall in millimetres beside small rock is doubted") {
+TEST_CASE("A wall in millimetres with small rock gives a note") {
   const Workplace place;
   place.write("case.yaml",
               "time: {duration: 1 ms}\n"

@@ -5,7 +5,7 @@
 
 using namespace gyro;
 
-TEST_CASE("Liners written as STL and used as walls crush as the profile does") {
+TEST_CASE("Liners written as STL and used as walls crush in the same way as the profile") {
   const Workplace place;
   std::filesystem::copy(GYRO_APP_CASES "/stl.yaml", place.path());
   REQUIRE(place.gyrosim("liners '" GYRO_APP_CASES "/crush.yaml' --out liners").code == 0);

@@ -26,7 +26,7 @@ std::string path_of(const json& entry) {
   return entry["group"].get<std::string>() + "/" + entry["name"].get<std::string>();
 }
 
-/// Whether a path is that of an entry, with anything but a slash for its placeholder, which is returned in `name`.
+/// Whether a path is that of an entry. `name` gets the text, without slashes, that replaces its placeholder.
 bool fits(const std::string& path, const std::string& pattern, std::string& name) {
   const std::size_t open = pattern.find('<');
   if (open == std::string::npos) return path == pattern;
@@ -91,7 +91,7 @@ std::set<std::string> described(const fs::path& run, const json& entries) {
 
 }  // namespace
 
-TEST_CASE("Every dataset of a quickstart run is described as the file says, and all that is described is there") {
+TEST_CASE("The reference describes every dataset of a quickstart run, and every described dataset exists") {
   const Workplace place;
   const Outcome outcome =
       place.gyrosim("run " + quickstart +
@@ -123,7 +123,7 @@ TEST_CASE("Every dataset of a quickstart run is described as the file says, and 
   }
 }
 
-TEST_CASE("A scene without most parts has only what is described as always there") {
+TEST_CASE("A scene without most parts has only the outputs that are described as always present") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + box + " --until '20 ms' --out r").code == 0);
   const json entries = reference(place);
@@ -151,7 +151,7 @@ TEST_CASE("Powers, torques, forces and rates of the series are means, speeds, an
   CHECK(count > 20);
 }
 
-TEST_CASE("The page of outputs is what the program writes") {
+TEST_CASE("The page of outputs is the one that the program writes") {
   const Workplace place;
   const Outcome page = place.gyrosim("describe outputs --markdown");
   REQUIRE(page.code == 0);

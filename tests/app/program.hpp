@@ -10,22 +10,21 @@
 
 namespace gyro {
 
-/// What a call of the program came to.
+/// Result of a call of the program.
 struct Outcome {
   int code;              ///< exit code; -1 if a signal ended it
   std::string out, err;  ///< standard output and error
 };
 
-/// An empty working directory in which the program is called. What the program caches and prints
-/// lies outside of it.
+/// An empty working directory in which the program is called. Its cache and output are stored outside of it.
 class Workplace {
  public:
   /// Runs `gyrosim ARGUMENTS` by the shell. One thread unless the arguments say otherwise.
   Outcome gyrosim(const std::string& arguments) const;
-  /// The same, with a signal some seconds after the start.
+  /// The same, with a signal a few seconds after the start.
   Outcome gyrosim_with_signal(const std::string& arguments, const std::string& signal, double seconds) const;
 
-  /// The same, on a disk that takes no file of more than about so many bytes.
+  /// The same, with a limit on the size of files [bytes, approximately].
   Outcome gyrosim_with_file_limit(const std::string& arguments, std::size_t bytes) const;
 
   /// Runs a line of the shell, in which $GYROSIM is the program.

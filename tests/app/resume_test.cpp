@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs that were interrupted and go on: the same numbers as without interruption, whatever interrupted them.
+// Runs that continue after any kind of interruption have the same numbers as without it.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 
@@ -11,7 +11,7 @@ using namespace gyro;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
-/// Rocks break, are fed, fall through and are taken out; rows are longer than windows.
+/// Rocks break, are fed, fall through and are removed; rows are longer than windows.
 const std::string crush = "run '" GYRO_APP_CASES
                           "/crush.yaml' --set feed.rate=20 --set 'crusher.removal_depth=1 mm' "
                           "--set 'output.series=2 ms' --set 'output.snapshots=5 ms' ";
@@ -38,14 +38,16 @@ void require_same_results(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// A small bouncing run of 1600 windows, for what does not depend on the case.
+/// A small run of 1600 windows with a bouncing sphere, for tests that do not depend on the case.
 const std::string bounce = box +
                            "--set 'output.snapshots=50 ms' --set 'output.series=3 ms' --set 'time.duration=0.8 s' "
                            "--set 'output.probes=[1, 17]' ";
 
 }  // namespace
 
-TEST_CASE("A run in parts has the numbers of one piece: breaking, feeding, removal, either precision, any threads") {
+TEST_CASE(
+    "A run in parts has the numbers of an uninterrupted one: breaking, feeding, removal, either precision, any "
+    "threads") {
   const std::string precision = GENERATE(as<std::string>{}, "mixed", "double");
   const Workplace place;
   const std::string run =
@@ -66,7 +68,7 @@ TEST_CASE("A run in parts has the numbers of one piece: breaking, feeding, remov
   CHECK(read_text(place.path() / "parts/log.txt").find("resumed at t = 0.089") != std::string::npos);
 }
 
-TEST_CASE("A run stopped by --max-walltime or a signal goes on until it is done, with the same numbers") {
+TEST_CASE("A run stopped by --max-walltime or a signal continues to its end with the same numbers") {
   const bool by_signal = GENERATE(false, true);
   const Workplace place;
   REQUIRE(place.gyrosim(bounce + "--out whole").code == 0);
@@ -75,7 +77,7 @@ TEST_CASE("A run stopped by --max-walltime or a signal goes on until it is done,
     const std::string run = bounce + "--out parts --resume";
     code = by_signal ? place.gyrosim_with_signal(run, "TERM", 0.1 + 0.05 * parts).code
                      : place.gyrosim(run + " --max-walltime " + std::to_string(0.05 * parts)).code;
-    if (by_signal && code == 143) continue;  // the signal came before the program could listen
+    if (by_signal && code == 143) continue;  // the signal came before the program could catch it
     if (code != 75) break;
     if (!fs::exists(place.path() / "parts/summary.json")) continue;  // it came while the case was loaded
     CHECK(summary_of(place.path() / "parts")["status"] == "interrupted");
@@ -86,7 +88,7 @@ TEST_CASE("A run stopped by --max-walltime or a signal goes on until it is done,
   require_same_results(place.path() / "whole", place.path() / "parts");
 }
 
-TEST_CASE("A run killed again and again goes on from its last checkpoint, with the same numbers") {
+TEST_CASE("A run that is killed repeatedly continues from its last checkpoint with the same numbers") {
   const Workplace place;
   REQUIRE(place.gyrosim(bounce + "--out whole").code == 0);
   const std::string run = bounce + "--set 'output.checkpoints=20 ms' --out parts --resume";
@@ -104,7 +106,7 @@ TEST_CASE("A run killed again and again goes on from its last checkpoint, with t
   require_same_results(place.path() / "whole", place.path() / "parts");
 }
 
-TEST_CASE("A finished run goes on with a later end and is left alone otherwise") {
+TEST_CASE("A finished run continues if its end is later, and is not changed otherwise") {
   const Workplace place;
   const fs::path run = place.path() / "r";
   const std::string box = ::box + "--set 'output.series=1 ms' ";
@@ -127,7 +129,7 @@ TEST_CASE("A finished run goes on with a later end and is left alone otherwise")
   CHECK(result_of(run, "series/time").size() == 9);
 }
 
-TEST_CASE("Outputs that decide on columns may not change when a run goes on, and the message names the key") {
+TEST_CASE("Outputs that determine columns may not change when a run continues, and the message names the key") {
   const Workplace place;
   const std::string cut = box + "--out r --until '5 ms' --set 'output.series=1 ms' --set 'output.probes=[1, 17]'";
   REQUIRE(place.gyrosim(cut).code == 0);
@@ -144,7 +146,7 @@ TEST_CASE("Outputs that decide on columns may not change when a run goes on, and
   CHECK_THAT(maps.err, Contains("output.liners"));
 }
 
-TEST_CASE("The cadence of the output may change when a run goes on") {
+TEST_CASE("The intervals of the output may change when a run continues") {
   const Workplace place;
   REQUIRE(place.gyrosim(box + "--out r --until '10 ms' --set 'output.series=4 ms'").code == 0);
   REQUIRE(place
@@ -159,7 +161,7 @@ TEST_CASE("The cadence of the output may change when a run goes on") {
   CHECK_FALSE(fs::exists(place.path() / "r/snapshots/particles_000003.vtp"));
 }
 
-TEST_CASE("Only the same case goes on, what differs is named with its place, and nothing changes") {
+TEST_CASE("Only the same case continues, a difference is reported with its place, and no file changes") {
   const Workplace place;
   place.write("start.csv", "id,x,y,z,r\n1,0,0,0.05,0.01\n2,0,0,0.08,0.01\n");
   const std::string run = box + "--out r --set particles.file=" + (place.path() / "start.csv").string();
@@ -208,7 +210,7 @@ TEST_CASE("A run that a guard stops keeps its last good state, and stops there a
   CHECK(all_results(place.path() / "r") == results);
 }
 
-TEST_CASE("A run that was killed before its first checkpoint starts at the beginning when resumed") {
+TEST_CASE("A run that was killed before its first checkpoint starts from the beginning when resumed") {
   const Workplace place;
   const std::string run = bounce + "--set 'output.checkpoints=1 h' --out r --resume";
   for (double seconds = 0.2; !fs::exists(place.path() / "r/results.h5") && seconds < 60; seconds *= 2)

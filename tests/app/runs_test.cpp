@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole runs of small cases through the program: what they write, and that it is the same every time.
+// Complete runs of small cases through the program: their outputs, which are the same in every run.
 #include "io/hdf5/hdf5.hpp"
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
@@ -28,7 +28,7 @@ fs::path done(const Workplace& place, const std::string& arguments, const std::s
 
 }  // namespace
 
-TEST_CASE("One thread and two give the same numbers, another seed others") {
+TEST_CASE("One and two threads give the same numbers, and another seed gives others") {
   const Workplace place;
   const std::string run = crush + " --until '15 ms'";
   const auto one = all_results(done(place, run + " --threads 1", "one")),
@@ -107,7 +107,7 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
   CHECK(fs::exists(run / "snapshots/bonds_000006.vtp"));
 }
 
-TEST_CASE("A scene without bonds, feed, crusher and drive has none of their output") {
+TEST_CASE("A scene without bonds, feed, crusher and drive has no output of them") {
   const Workplace place;
   const fs::path run = done(place, box + " --until '60 ms'", "r");
   CHECK(results_in(run, "series") == std::vector<std::string>{"max_overlap_ratio", "particles", "time",

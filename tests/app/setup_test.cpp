@@ -48,7 +48,7 @@ double lowest(const Simulation& run) {
   return low;
 }
 
-/// Why a setup is refused, and which part is to blame.
+/// The reason why a setup is refused, and the part that causes it.
 std::pair<std::string, SetupPart> refusal(const Setup& setup) {
   try {
     simulation_of(setup);
@@ -147,7 +147,8 @@ Setup spilling_chamber() {
 
 }  // namespace
 
-TEST_CASE("Rock that leaves over the rim is accounted apart from the product, also after a restart", "[simulation]") {
+TEST_CASE("Rock that leaves over the rim is counted separately from the product, also after a restart",
+          "[simulation]") {
   const Setup setup = spilling_chamber();
   const auto make = [&](const SavedState* saved) {
     return std::make_unique<Simulation>(setup, make_cpu_dem(setup.scene, Precision::double_, 1),
@@ -187,7 +188,7 @@ TEST_CASE("Without gravity and with fixed walls the residual is a share of the e
   const double kinetic = run.dem().energy().kinetic;
   while (run.time() < 0.1) run.advance();
   const EnergyTerms end = run.ledger().energy();
-  REQUIRE(end.kinetic < 0.9 * kinetic);  // it has met the wall
+  REQUIRE(end.kinetic < 0.9 * kinetic);  // it has touched the wall
   REQUIRE(end.residual() != 0);
   CHECK(run.ledger().residual_fraction() == Approx(end.residual() / kinetic).epsilon(1e-12));
   CHECK(std::abs(run.ledger().residual_fraction()) < 0.01);
@@ -222,7 +223,7 @@ TEST_CASE("A driven mantle needs no case file, and its energy account closes", "
   CHECK_FALSE(run.verdict());
 }
 
-TEST_CASE("A saved simulation continues bit for bit", "[simulation]") {
+TEST_CASE("A saved simulation continues with the same bits", "[simulation]") {
   Setup setup = dropped_rock(0.06);
   setup.discharge = Discharge{0};
   Simulation whole(setup, make_cpu_dem(setup.scene, Precision::mixed, 1));
@@ -244,7 +245,7 @@ TEST_CASE("A saved simulation continues bit for bit", "[simulation]") {
                     Catch::Matchers::Contains("was written with a time step"));
 }
 
-TEST_CASE("A setup that cannot be run is refused, with the part to blame", "[simulation]") {
+TEST_CASE("A setup that cannot be run is refused, with the part that causes it", "[simulation]") {
   const Setup good = dropped_rock(0.5);
   CHECK(refusal(good).first.empty());
   const auto part = [&](auto change) {
@@ -272,7 +273,7 @@ TEST_CASE("A setup that cannot be run is refused, with the part to blame", "[sim
         }) == SetupPart::start);
 }
 
-TEST_CASE("A step that is asked for must be below its limit", "[simulation]") {
+TEST_CASE("A given step must be below its limit", "[simulation]") {
   Setup setup = dropped_rock(0.5);
   const double limit = set_step(setup).limit;
   CHECK_NOTHROW(set_step(setup, {.step = 0.7 * limit}));

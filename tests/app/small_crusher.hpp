@@ -26,7 +26,7 @@ struct SmallCrusher {
   Case input;
   Assembly assembly;
   std::unique_ptr<Dem> empty;  ///< given to the simulation
-  Dem& dem;                    ///< the simulation's, for tests that disturb it
+  Dem& dem;                    ///< owned by the simulation; for tests that disturb it
   std::unique_ptr<Simulation> made;
   Simulation& simulation;
 };

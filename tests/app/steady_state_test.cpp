@@ -36,16 +36,16 @@ TEST_CASE("A filling chamber becomes steady, and its means are those of the end"
 
 TEST_CASE("A run too short for its chamber is not steady") {
   CHECK_FALSE(steady_state(filling(30, 60)));
-  CHECK_FALSE(steady_state(filling(9, 0.1)));  // fewer gyrations than can be judged
+  CHECK_FALSE(steady_state(filling(9, 0.1)));  // too few gyrations
   CHECK_FALSE(steady_state({}));
 }
 
-TEST_CASE("Power that jumps in between is seen") {
+TEST_CASE("A jump of the power in between is detected") {
   GyrationRecord record = filling(60, 0.1);
   for (std::size_t k = 50; k < record.gyrations.size(); ++k) record.gyrations[k].power *= 2;
   const auto steady = steady_state(record);
   REQUIRE(steady);
-  CHECK(steady->from > 0.375 * 45);  // a few gyrations of before drown in the noise
+  CHECK(steady->from > 0.375 * 45);  // the noise hides a few earlier gyrations
   CHECK(steady->from < 0.375 * 52);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("Windows add up to gyrations") {
   CHECK(reader.record().sieve_mass[3] == Approx(4 * 0.375).epsilon(1e-2));
 }
 
-TEST_CASE("A run that is not steady says why") {
+TEST_CASE("A run that is not steady reports the reason") {
   using Catch::Matchers::Contains;
   CHECK_THAT(unsteady_reason({}), Contains("too short: 0 gyrations, at least 10"));
   CHECK_THAT(unsteady_reason(filling(9, 0.1)), Contains("too short: 9 gyrations"));
@@ -94,8 +94,8 @@ TEST_CASE("A run that is not steady says why") {
 }
 
 TEST_CASE("Standard errors are those of blocks of whole gyrations") {
-  // 20 gyrations of 0.5 s in ten blocks of two. Power +-1 and +-3 by block; the discharge goes with it, so that the
-  // specific energy is the same in all blocks.
+  // 20 gyrations of 0.5 s in ten blocks of two. Power +-1 and +-3 by block; the discharge is proportional to it, so
+  // that the specific energy is the same in all blocks.
   GyrationRecord record;
   const std::vector<double> by_block{-1, 3, 1, -3, -1, 3, 1, -3, -1, 1};
   for (std::size_t k = 0; k < 20; ++k) {
@@ -151,7 +151,7 @@ TEST_CASE("The motor's figures are those of the rows since a time") {
   MotorRows rows;
   CHECK_FALSE(rows.figures(0, {}));
   for (int k = 0; k < 200; ++k) {
-    rows.add(0.5e-3, k < 100 ? 9000 : k - 100);  // two windows to a row; the run-up first
+    rows.add(0.5e-3, k < 100 ? 9000 : k - 100);  // two windows in each row; the run-up comes first
     rows.add(0.5e-3, k < 100 ? 9000 : k - 98);
     rows.end_row(1e-3 * (k + 1));
   }

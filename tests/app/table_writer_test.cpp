@@ -73,7 +73,7 @@ void require_sound(const Table<Now, Window>& t) {
 
 }  // namespace
 
-TEST_CASE("Header and rows of a table come from its columns: instants, means over windows, what is not present") {
+TEST_CASE("Header and rows of a table come from its columns: instants, means over windows, absent columns") {
   const ScratchDirectory scratch;
   TableWriter writer(table(), two_walls(), 2);
   std::vector<std::string> names;
@@ -105,7 +105,7 @@ TEST_CASE("Header and rows of a table come from its columns: instants, means ove
   CHECK(file.dataset("/t/cells").string_attribute("sampling") == "sum");
 }
 
-TEST_CASE("The means of a row that was interrupted are those of one piece") {
+TEST_CASE("The means of an interrupted row are those of a row without interruption") {
   TableWriter whole(table(), two_walls(), 2), first(table(), two_walls(), 2), second(table(), two_walls(), 2);
   const Span a{0.1, 0.3, {1, 2, 3}}, b{0.7, 0.9, {0.1, 0.2, 0.3}};
   whole.add(a), whole.add(b);
@@ -119,7 +119,7 @@ TEST_CASE("The means of a row that was interrupted are those of one piece") {
   CHECK_THROWS_AS(second.restore({1, {1.0, 2.0}}), BadInput);
 }
 
-TEST_CASE("The tables of results.h5 have no column twice, and what its form needs") {
+TEST_CASE("The tables of results.h5 have no column twice, and every column has the required properties") {
   require_sound(series_table());
   require_sound(ledger_table());
   require_sound(performance_table());

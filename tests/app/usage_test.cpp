@@ -25,7 +25,7 @@ bool all_located(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Broken case files of all kinds are refused by run and check, and nothing is written") {
+TEST_CASE("Broken case files of all kinds are refused by run and check, and no file is written") {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(GYRO_BROKEN_CASES))
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
@@ -44,7 +44,7 @@ TEST_CASE("Broken case files of all kinds are refused by run and check, and noth
   CHECK(place.listing().empty());
 }
 
-TEST_CASE("What shows only when the case is put together is located and writes nothing") {
+TEST_CASE("A problem found when the case is assembled is reported with its place, and no file is written") {
   const auto [arguments, where, what] = GENERATE(table<std::string, std::string, std::string>({
       {"--set 'time.step=10 us'", "--set:1:1: ", "stability limit"},
       {"--set 'feed.at=[0, 0, 0.005]'", "platen.yaml:21:1: ", "fixed rock"},
@@ -67,7 +67,7 @@ TEST_CASE("What shows only when the case is put together is located and writes n
   CHECK(place.listing() == before);
 }
 
-TEST_CASE("A bad command line is refused with what to do") {
+TEST_CASE("A bad command line is refused with advice") {
   const std::string arguments = GENERATE(
       as<std::string>{}, "", "crush x.yaml", "run", "run " + platen + " --bogus", "run " + platen + " --threads 0",
       "run " + platen + " --threads two", "run " + platen + " --device gpu", "run " + platen + " --until '2 kg'",
@@ -86,7 +86,7 @@ TEST_CASE("A bad command line is refused with what to do") {
   CHECK(place.listing().empty());
 }
 
-TEST_CASE("A directory that cannot be made is an output error") {
+TEST_CASE("A directory that cannot be created is an output error") {
   const Workplace place;
   for (const std::string& command :
        {"run " + platen + " --until '1 ms'", std::string("liners '" GYRO_APP_CASES "/crush.yaml'")}) {
@@ -98,7 +98,7 @@ TEST_CASE("A directory that cannot be made is an output error") {
 }
 
 #if !defined(GYRO_WITH_CUDA)
-TEST_CASE("A device that is not there is said to be missing, and nothing is written") {
+TEST_CASE("A missing device is reported, and no file is written") {
   const Workplace place;
   const Outcome outcome = place.gyrosim("run " + platen + " --device cuda");
   CHECK(outcome.code == 6);

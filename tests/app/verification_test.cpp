@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cases of cases/verification, run as a reader would: probes at the end against closed forms.
+// The cases of cases/verification, run by the program: probes at the end against closed forms.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 

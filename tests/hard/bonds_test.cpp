@@ -47,7 +47,7 @@ TEST_CASE("H12 bonds that break with packed-in overlap release no more than they
   std::int64_t step = 0;
   run(*dem, dt, step, 1);
   const EnergyTerms start = dem->energy();
-  const double stored = start.exchanged;  // nothing moved at the start
+  const double stored = start.exchanged;  // all particles are at rest at the start
   double fastest = 0, maximum = 0;
   for (int k = 0; k < 40; ++k) {
     run(*dem, dt, step, 100);
@@ -60,9 +60,8 @@ TEST_CASE("H12 bonds that break with packed-in overlap release no more than they
   CHECK(std::abs(dem->energy().residual()) <= 0.02 * stored + 1e-15);
 }
 
-TEST_CASE("H13 a bond over a gap that closes before it breaks leaves a continuous force", "[hard]") {
-  // 1 to 5 % of the diameter between the surfaces; the pair is pressed together until the shear of its slow slide
-  // breaks it.
+TEST_CASE("H13 the force stays continuous if the gap of a bond closes before the bond breaks", "[hard]") {
+  // The gap is 1 to 5 % of the diameter; the pair is pressed together until the shear of a slow slide breaks the bond.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double gap = GENERATE(0.01, 0.03, 0.05);
   const double dt = 2e-8;
@@ -97,7 +96,7 @@ TEST_CASE("H13 a bond over a gap that closes before it breaks leaves a continuou
       CHECK(norm(span) < d);  // the gap has closed before
       CHECK(push > 0.1 * largest);
     }
-    // Beyond what the change of the last step extrapolates to.
+    // Jump in addition to the change in a step before.
     if (step > 2) jump = std::max(jump, std::abs(push - last - last_change));
     last_change = push - last;
     last = push;
@@ -110,7 +109,7 @@ TEST_CASE("H13 a bond over a gap that closes before it breaks leaves a continuou
   CHECK(std::abs(dem->energy().residual()) < 0.01 * dem->energy().exchanged);
 }
 
-TEST_CASE("H14 rotating by up to 0.1 rad a step strains no bond", "[hard]") {
+TEST_CASE("H14 rotation by up to 0.1 rad a step does not strain bonds", "[hard]") {
   // A pair that rotates as a rigid body about an oblique axis; its bond is stretched as the centrifugal force requires.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double rotation = GENERATE(1e-4, 1e-3, 1e-2, 0.05, 0.09);
@@ -140,7 +139,7 @@ TEST_CASE("H14 rotating by up to 0.1 rad a step strains no bond", "[hard]") {
   const double stretch_energy = 0.5 * stiffness * 1e-4 * d * d;
   INFO("rotation " << rotation << ": kinetic " << e.kinetic / kinetic - 1 << ", bond "
                    << e.bond_elastic / stretch_energy - 1);
-  // Verlet's own orbit is off by (w dt)^2; the bond's strain adds nothing to that.
+  // The Verlet scheme has an orbit error of (w dt)^2; the strain of the bond must not increase it.
   const double expected = std::max(2 * rotation * rotation, precision == Precision::double_ ? 1e-9 : 1e-6);
   CHECK(std::abs(e.kinetic / kinetic - 1) < expected);
   CHECK(std::abs(e.bond_elastic / stretch_energy - 1) < 60 * expected);
@@ -148,7 +147,7 @@ TEST_CASE("H14 rotating by up to 0.1 rad a step strains no bond", "[hard]") {
 }
 
 TEST_CASE("H15 a bond twisted beyond the limit of its law has no jump and is reported", "[hard]") {
-  // A weak bond fails at its strength long before; one that no stress breaks passes the limit of its law.
+  // A weak bond fails long before the limit of its law; an unbreakable one exceeds the limit.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const bool breakable = GENERATE(true, false);
   const double dt = 1e-6, angular_velocity = 40;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of bookkeeping: threads, balances, numbers that are not finite in the middle of a run.
+// Hard cases of bookkeeping: threads, balances, numbers that are not finite during a run.
 #include "app/verify/fixtures/rocks.hpp"
 #include "app/verify/fixtures/scenes.hpp"
 #include "app/verify/fixtures/snapshots.hpp"
@@ -29,7 +29,7 @@ TEST_CASE("H30 a number that is not finite stops the run at the end of its windo
   CHECK_THROWS_AS(run.simulation.require_sound(), StoppedByGuard);
 }
 
-TEST_CASE("H32 sixty-four threads give the bits of one", "[hard]") {
+TEST_CASE("H32 sixty-four threads give the same bits as one", "[hard]") {
   Scene scene = plain_scene(2e-6);
   scene.pairs.assign(4, {0.5, 0.25, 0.02});
   scene.bonds = paper_bonds();

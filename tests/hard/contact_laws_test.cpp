@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of contact laws with a long memory: the hysteretic normal force and the rolling spring.
+// Hard cases of contact laws with history: the hysteretic normal force and the rolling spring.
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/plate_crush.hpp"
 #include "app/verify/fixtures/random.hpp"
@@ -56,7 +56,7 @@ void check_same(const Outcome& a, const Outcome& b) {
   CHECK(a.energy.contact_elastic == b.energy.contact_elastic);
 }
 
-/// Sets all numbers of a saved column to zero. @return whether one was not
+/// Sets all numbers of a saved column to zero. @return whether any was not zero
 template <class Real>
 bool erase(SavedState& saved, const std::string& name) {
   bool any = false;
@@ -73,7 +73,7 @@ bool forget(SavedState& saved, const std::string& name, Precision precision) {
 
 }  // namespace
 
-TEST_CASE("H40 a resume in the middle of hysteretic contacts keeps the bits, and needs their memory", "[hard]") {
+TEST_CASE("H40 a run resumed during hysteretic contacts has the same bits, and needs the contact history", "[hard]") {
   // First both laws have rolled against the plates, then contacts with grains and plates unload.
   struct Moment {
     std::int64_t step;
@@ -109,7 +109,7 @@ TEST_CASE("H40 a resume in the middle of hysteretic contacts keeps the bits, and
   }
 }
 
-TEST_CASE("H40 threads and rebuilt neighbour lists change no bit of contacts with a memory", "[hard]") {
+TEST_CASE("H40 threads and rebuilt neighbour lists change no bit of contacts with history", "[hard]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   PlateCrush crush = crush_scene();
   const Outcome one = crushed(crush, precision, 1);
@@ -129,7 +129,7 @@ TEST_CASE("H40 threads and rebuilt neighbour lists change no bit of contacts wit
   CHECK(most > 20 * fewest);
 }
 
-TEST_CASE("H40 a rock that is crushed under laws with a memory balances its energy", "[hard]") {
+TEST_CASE("H40 the energy of a rock that is crushed under contact laws with history balances", "[hard]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const PlateCrush crush = crush_scene();
   const Outcome got = crushed(crush, precision, 2);
@@ -140,7 +140,7 @@ TEST_CASE("H40 a rock that is crushed under laws with a memory balances its ener
   CHECK(got.energy.contact_damping > 0);
 }
 
-TEST_CASE("H40 bonds with packed-in overlap that break give hysteretic contacts no energy", "[hard]") {
+TEST_CASE("H40 bonds with packed-in overlap that break add no energy to hysteretic contacts", "[hard]") {
   // As H12: the overlaps are 1, 5 and 10 % of the radius.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double overlap = GENERATE(0.01, 0.05, 0.10);
@@ -169,8 +169,8 @@ TEST_CASE("H40 bonds with packed-in overlap that break give hysteretic contacts 
   CHECK(std::abs(dem->energy().residual()) <= 0.02 * stored);
 }
 
-TEST_CASE("H40 a hysteretic contact that has opened begins again, whatever the neighbour lists", "[hard]") {
-  // A sphere between two plates: each impact leaves it the restitution, though the lists still hold the old contact.
+TEST_CASE("H40 a hysteretic contact that has opened starts without history, whatever the neighbour lists", "[hard]") {
+  // A sphere between two plates: each rebound has the restitution, although the lists still contain the old contact.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double skin = GENERATE(0.0, 1e-4, 0.05), restitution = 0.6, radius = 0.01, gap = 1e-4, speed = 2;
   Scene scene = scene_of(soft_rock(), rigid(), remembering(restitution, 0, 0), 1e-7);

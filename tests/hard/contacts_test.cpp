@@ -12,7 +12,7 @@ using namespace gyro::fixtures;
 
 namespace {
 
-/// Two plates that meet under an angle about the x axis, symmetrical to z, opening upwards, a sphere between them.
+/// Two plates at an angle about the x axis, symmetrical to z, open at the top, with a sphere between them.
 /// Both close at `speed` along their normals.
 Scene wedge(double angle, double friction, double radius, double speed, double dt) {
   Scene scene = plain_scene(dt);
@@ -28,7 +28,7 @@ Scene wedge(double angle, double friction, double radius, double speed, double d
 
 }  // namespace
 
-TEST_CASE("H5 impacts of 10 to 100 m/s balance, and deep ones are flagged", "[hard]") {
+TEST_CASE("H5 the energy of impacts at 10 to 100 m/s balances, and large overlaps are flagged", "[hard]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double speed = GENERATE(10.0, 50.0, 100.0), restitution = GENERATE(1.0, 0.25);
   const double radius = 0.02;
@@ -77,7 +77,7 @@ TEST_CASE("H9 a wedge squeezes a sphere out if and only if tan(alpha/2) > mu", "
   } else {
     CHECK(overlap > 0.5 * closed);
   }
-  // The same motion again lifts it as far if it is squeezed out, or hardly at all.
+  // Repeating the motion lifts it by the same distance if it is squeezed out, otherwise hardly at all.
   const double z = s.position[0].z;
   run(*dem, scene.dt, step, 5000);
   const double further = (dem->particles().position[0].z - z) / closed;
@@ -87,7 +87,9 @@ TEST_CASE("H9 a wedge squeezes a sphere out if and only if tan(alpha/2) > mu", "
   CHECK(std::abs(dem->energy().residual()) < 0.01 * std::abs(dem->energy().wall_work));
 }
 
-TEST_CASE("H8 H35 a sphere in a closing gap follows Hertz and returns no more energy, or stops the run", "[hard]") {
+TEST_CASE(
+    "H8 H35 a sphere in a closing gap follows Hertz's law and returns at most the stored energy, or stops the run",
+    "[hard]") {
   // A grain between plates 0.5 mm apart at the end (0.5 R pressed in at each side), 0.8 mm, and 0.15 mm.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double radius = GENERATE(0.0005, 0.025), left = GENERATE(0.8, 0.5, 0.15);  // of the diameter
@@ -124,7 +126,7 @@ TEST_CASE("H8 H35 a sphere in a closing gap follows Hertz and returns no more en
     return;
   }
   CHECK_FALSE(verdict);
-  // The sphere holds no more energy than the plates have put in.
+  // The energy of the sphere is at most the work of the plates.
   CHECK(dem->energy().kinetic + dem->energy().contact_elastic <= work * 1.001);
   CHECK(std::abs(dem->energy().residual()) < 1e-3 * work);
 }

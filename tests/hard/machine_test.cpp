@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of the coupled machine: rock that is too hard or too large blocks, stalls and throws back, and never
-// passes.
+// Hard cases of the coupled machine: rock that is too hard or too large blocks or stalls the drive or drives it back,
+// and never passes.
 #include "app/assembly/assembly.hpp"
 #include "app/simulation/device.hpp"
 #include "core/base/errors.hpp"
@@ -49,7 +49,7 @@ drivetrain:
     return report.loaded.value();
   }
 
-  /// Runs up to a time. @return whether the guard did not stop it
+  /// Runs up to a time. @return false if the guard stopped the run
   bool until(double time) {
     while (simulation.time() < time) {
       const WindowResult result = simulation.advance();
@@ -79,7 +79,7 @@ drivetrain:
 
 }  // namespace
 
-TEST_CASE("H8 H17 H18 a sphere that cannot be crushed stalls the drive and throws it back with the stored energy",
+TEST_CASE("H8 H17 H18 a sphere that cannot be crushed stalls the drive and drives it back with the stored energy",
           "[hard]") {
   const std::string modulus = "20 GPa";  // 24 mm, larger than the open side: a smaller one falls through
   OneSphere run(0.024, modulus);
@@ -99,7 +99,7 @@ TEST_CASE("H8 H17 H18 a sphere that cannot be crushed stalls the drive and throw
 
 TEST_CASE("H10 a sphere larger than the open side setting never passes", "[hard]") {
   // 24 mm, and the share of the Superior MK-II: 250 mm in 163 mm is 31.3 mm in 20.4 mm. From granite to a tenth of the
-  // paper's contact modulus; with the motor of the case and with one of constant speed, which nothing stops.
+  // paper's contact modulus; with the motor of the case and with an ideal one of constant speed.
   const double diameter = GENERATE(0.024, 0.0313);
   const std::string modulus = GENERATE(as<std::string>{}, "20 GPa", "557 MPa", "55.7 MPa");
   const bool unstoppable = GENERATE(false, true);
@@ -135,8 +135,8 @@ TEST_CASE("H19 a light machine with long windows has a large power residual or i
   CHECK(fine < 0.25 * coarse);
 }
 
-TEST_CASE("H20 windows much shorter than the solver's step change no result", "[hard]") {
-  // A hundred windows in place of one give the same speed.
+TEST_CASE("H20 windows much shorter than the solver's step do not change the result", "[hard]") {
+  // A hundred short windows give the same speed as a long one.
   const auto speed_after = [](const std::string& interval) {
     OneSphere run(0.0187, "1 GPa", {"coupling.interval=" + interval, "drivetrain.start=rest"});
     REQUIRE(run.until(0.02));
@@ -147,9 +147,9 @@ TEST_CASE("H20 windows much shorter than the solver's step change no result", "[
   CHECK(many == Approx(one).epsilon(1e-8));
 }
 
-TEST_CASE("H20 a load that is not finite does not enter the drive", "[hard]") {
-  // Each number of the load alone. With an induction motor CVODE would notice some of them; a motor of constant speed
-  // integrates nothing, and the work only enters its balance.
+TEST_CASE("H20 a load that is not finite is refused by the drive", "[hard]") {
+  // Each number of the load separately. With an induction motor CVODE would detect some of them. With a constant-speed
+  // motor no equation is integrated, and the work only enters the balance.
   const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   const auto number = GENERATE(0, 1, 2, 3, 4);
   const bool constant = GENERATE(false, true);

@@ -76,7 +76,7 @@ TEST_CASE("H1 H2 a step above safety x limit is refused with the number, at any 
         .code;
   };
   CHECK(runs(0.69, "") == 0);
-  CHECK(runs(0.95, " --set time.safety=1") == 0);  // asked for
+  CHECK(runs(0.95, " --set time.safety=1") == 0);  // the user has asked for it
   CHECK(runs(1.05, " --set time.safety=1") == 2);
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("H26 one triangle is a wall", "[hard]") {
   CHECK(lowest < -1);
 }
 
-TEST_CASE("H27 spheres at one point are refused at once, an outlier at 1 km does no harm", "[hard]") {
+TEST_CASE("H27 spheres at one point are refused immediately, and an outlier at 1 km is allowed", "[hard]") {
   const Workplace place;
   std::string rows = "id,x,y,z,r\n";
   for (int k = 0; k < 20000; ++k) rows += std::to_string(k) + ",0.1,0.2,0.3,0.01\n";
@@ -226,7 +226,7 @@ TEST_CASE("H27 spheres at one point are refused at once, an outlier at 1 km does
   CHECK(ran(place)["particles"] == 3);
 }
 
-TEST_CASE("H6 a belt too fast for the given step is refused, and the automatic step follows it", "[hard]") {
+TEST_CASE("H6 a belt too fast for the given step is refused, and the automatic step is short enough for it", "[hard]") {
   const Workplace place;
   place.write("s.stl",
               "solid s\nfacet\nouter loop\nvertex -1 -1 0\nvertex 1 -1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n");

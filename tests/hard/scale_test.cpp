@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of scale and memory: crowds, outliers, sizes of 1:60, one sphere that is not finite among many.
+// Hard cases of scale and memory: crowds, outliers, sizes of 1:60, one sphere among many that is not finite.
 #include "app/verify/fixtures/random.hpp"
 #include "app/verify/fixtures/rocks.hpp"
 #include "app/verify/fixtures/scenes.hpp"
@@ -16,12 +16,12 @@ using namespace gyro::fixtures;
 
 namespace {
 
-/// Processor time of this process: other work on the machine does not count [s].
+/// Processor time of this process, which does not depend on other programs on the machine [s].
 double now() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// The message with which a step of a scene of loose spheres is stopped; empty if it is not.
+/// The message that stops a step of a scene of loose spheres; empty if there is none.
 std::string refusal(const std::vector<NewRock>& spheres) {
   const Scene scene = plain_scene(1e-7);
   const auto dem = make_cpu_dem(scene, Precision::mixed, 2);
@@ -89,9 +89,9 @@ class SearchTime {
   std::int64_t step_ = 0;
 };
 
-/// Runs `a` and `b` in turn until the shortest time of `b` is less than `factor` times that of `a`, at most 200 times.
-/// On a machine that is busy with other work single times are several times too long; a search that really
-/// takes longer never meets the bound.
+/// Runs `a` and `b` alternately until the shortest time of `b` is less than `factor` times that of `a`, at most 200
+/// times. On a busy machine single times are several times too long; a search that is really slower never reaches the
+/// bound.
 template <class A, class B>
 std::pair<double, double> shortest_times(A a, B b, double factor) {
   double best_a = 1e300, best_b = 1e300;
@@ -104,7 +104,7 @@ std::pair<double, double> shortest_times(A a, B b, double factor) {
 
 }  // namespace
 
-TEST_CASE("H27 a million spheres at one point end in a message and do not hang", "[hard]") {
+TEST_CASE("H27 a million spheres at one point stop the run with a message and do not hang it", "[hard]") {
   const int count = GENERATE(20'000, 1'000'000);
   std::vector<NewRock> spheres;
   for (int k = 0; k < count; ++k)
@@ -116,14 +116,14 @@ TEST_CASE("H27 a million spheres at one point end in a message and do not hang",
   CHECK(now() - begin < 30);
 }
 
-TEST_CASE("H27 three hundred thousand spheres in the space of one cell end in a message", "[hard]") {
+TEST_CASE("H27 three hundred thousand spheres in one cell stop the run with a message", "[hard]") {
   std::vector<NewRock> spheres;
   for (ParticleId k = 0; k < 300'000; ++k)
     spheres.push_back(sphere(k, 0.01 * random_vector(k, 0), {0, 0, 0}, 0.01, 2600));
   CHECK(refusal(spheres).find("crowd") != std::string::npos);
 }
 
-TEST_CASE("H27 outliers a kilometre away cost a bed neither time nor memory", "[hard]") {
+TEST_CASE("H27 outliers a kilometre away cost neither time nor memory", "[hard]") {
   const auto rebuild_and_step = [](bool outliers) {
     Scene scene = plain_scene(1e-7);
     std::vector<NewRock> spheres = cloud({{40, 40, 40}, 0.0205, 0.01, 0.1});
@@ -169,7 +169,7 @@ TEST_CASE("H27 H30 one sphere without a finite position neither slows the search
   CHECK(equal);
 }
 
-TEST_CASE("H28 the search takes as long for each pair of sizes of 1:60 as for one size", "[hard]") {
+TEST_CASE("H28 the search takes the same time per pair for sizes of 1:60 as for one size", "[hard]") {
   SearchTime one(0.0042, 0.0042, 30'000), mixed(0.0042, 0.25, 30'000);
   const auto per_pair = [](SearchTime& search) { return [&] { return search.rebuild(), search.per_pair(); }; };
   const auto [a, b] = shortest_times(per_pair(one), per_pair(mixed), 2);
@@ -179,7 +179,7 @@ TEST_CASE("H28 the search takes as long for each pair of sizes of 1:60 as for on
 }
 
 TEST_CASE("H29 lists are rebuilt when spheres or walls have moved too far", "[hard]") {
-  // A fast sphere that passes many skins, and a plate that comes from far away: the skin changes no bit.
+  // A fast sphere that moves by many skins, and a plate that comes from far away: the skin changes no bit.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const auto outcome = [&](double skin) {
     Scene scene = plain_scene(2e-6);

@@ -11,7 +11,7 @@ using namespace gyro::fixtures;
 
 namespace {
 
-/// Why a start state is refused; empty if it is not.
+/// The reason why a start state is refused; empty if it is accepted.
 std::string refusal(const Scene& scene, const std::vector<NewRock>& rocks) {
   try {
     check_start(scene, rocks);
@@ -72,7 +72,7 @@ TEST_CASE("H34 a sphere that starts in, behind or through a wall is refused", "[
   for (const double x : {0.505, 0.52}) CHECK(contains(refusal(scene, one_at({x, 0, 0.5})), "behind wall tube"));
 }
 
-TEST_CASE("H27 twenty thousand spheres at one point are refused at once", "[hard]") {
+TEST_CASE("H27 twenty thousand spheres at one point are refused immediately", "[hard]") {
   std::vector<NewRock> rocks;
   for (ParticleId k = 0; k < 20'000; ++k) rocks.push_back(sphere(k, {0.1, 0.2, 0.3}, {0, 0, 0}, 0.01, 2600));
   CHECK(contains(refusal(plain_scene(1e-6), rocks), "particles 0 and 1 overlap"));

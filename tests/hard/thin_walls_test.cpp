@@ -80,7 +80,7 @@ TEST_CASE("H7 a plate thicker than the overlaps, or a gap between the balls, sep
 
 TEST_CASE("H7 particles may touch beside a thin wall", "[hard]") {
   const Workplace place;
-  // They meet at the height of the wall, 3 mm beyond its rim: they touch it and each other.
+  // They collide at the height of the wall, 3 mm beyond its rim, and touch the wall and each other.
   const Outcome run = thrown(place, {0}, "1,0.253,0,0.0125,0.01,0,0,-1\n2,0.253,0,-0.0125,0.01,0,0,1\n");
   INFO(run.err);
   CHECK(run.code == 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard cases of the time step: the engine is stable where the guard says so.
+// Hard cases of the time step: the engine is stable below the limit of the guard.
 #include "app/simulation/time_step.hpp"
 #include "app/simulation/ledger.hpp"
 #include "app/verify/fixtures/random.hpp"
@@ -49,7 +49,7 @@ RockTemplate mono_rock() {
   return bonded(centres, std::vector<double>(centres.size(), 0.0125), rule);
 }
 
-/// One grain of 8 mm with bonds to twenty large ones round it.
+/// One grain of 8 mm with bonds to twenty large ones around it.
 RockTemplate star() {
   std::vector<Vec3d> centres{{0, 0, 0}};
   std::vector<double> radii{0.004};
@@ -64,7 +64,7 @@ RockTemplate star() {
   return rock;
 }
 
-/// Grains of 4 to 22 mm radius, packed one by one round a first one; bonds of 5 mm, thicker than the smallest grain.
+/// Grains of 4 to 22 mm radius, packed one by one around a first one; bonds of 5 mm, thicker than the smallest grain.
 RockTemplate graded_rock() {
   std::vector<Vec3d> centres;
   std::vector<double> radii;
@@ -72,7 +72,7 @@ RockTemplate graded_rock() {
     const double radius = 0.004 * std::pow(5.5, 0.5 + 0.5 * random_number(k, 8));
     const Vec3d direction = random_vector(k, 0);
     if (norm2(direction) > 1 || norm2(direction) < 0.01) continue;
-    // It comes from far away along a ray until it touches a grain.
+    // The grain moves inwards along a ray until it touches another one.
     double reach = centres.empty() ? 0 : -1;
     const Vec3d n = (1 / norm(direction)) * direction;
     for (std::size_t j = 0; j < centres.size(); ++j) {
@@ -89,7 +89,7 @@ RockTemplate graded_rock() {
 /// Growth of the energy of a slightly disturbed rock in the engine; its bonds cannot break.
 double growth(const RockTemplate& shape, double damping, double dt, Precision precision, int steps) {
   Scene scene = plain_scene(dt);
-  scene.materials[0].shear_modulus = 1;  // what is not bonded may overlap
+  scene.materials[0].shear_modulus = 1;  // particles that are not bonded may overlap
   scene.bonds = paper_bonds();
   scene.bonds->damping = damping;
   scene.bonds->tensile_strength = scene.bonds->shear_strength = 1e30;

@@ -38,7 +38,7 @@ Watched watched(const Scene& scene, const std::vector<NewRock>& rocks, Precision
 }  // namespace
 
 TEST_CASE("H6 a sphere too fast for the step is stopped before it passes a thin wall", "[hard]") {
-  // 8 mm sphere at 200 m/s. At steps of v dt < 0.2 R it rebounds; at longer ones the run stops.
+  // 8 mm sphere at 200 m/s. With steps v dt < 0.2 R it rebounds; with longer ones the run stops.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double way = GENERATE(0.02, 0.15, 0.21, 0.5, 1.0, 3.0), offset = GENERATE(0.0, 0.37, 0.61);
   const double radius = 0.004, speed = 200;
@@ -47,7 +47,7 @@ TEST_CASE("H6 a sphere too fast for the step is stopped before it passes a thin 
   scene.walls = {{"wall", tiled_square(0.1, 8), Fixed{}, 1}};
   const std::vector<NewRock> one{sphere(0, {0.013, 0.021, radius * (3 + way * offset)}, {0, 0, -speed}, radius, 2600)};
   const int steps = static_cast<int>(std::ceil(10 / way));
-  const Watched w = watched(scene, one, precision, 1, steps);  // one window: the guard must see the peaks inside it
+  const Watched w = watched(scene, one, precision, 1, steps);  // one window; the guard must detect the peaks inside it
   INFO("v dt " << way << " R: " << w.verdict.value_or("no verdict"));
   if (way > 0.2) {
     REQUIRE(w.verdict);
@@ -119,8 +119,7 @@ TEST_CASE("H6 a wall or liner that moves too fast for the step is stopped", "[ha
   }
   if (kind == 3) wall = {"press", PlaneShape{{0, 0, -0.02}, {0, 0, 1}}, LinearMotion{{0, 0, speed}}, 1};
   scene.walls = {wall};
-  // The sphere is beside the walls, so that none hits it, except the plane, which has no end and hits it at any
-  // position.
+  // The sphere is beside the walls and is not hit, except by the plane, which is infinite.
   const std::vector<NewRock> one{sphere(0, {0.5, 0.02, 0}, {0, 0, 0}, radius, 2600)};
   const Watched w = watched(scene, one, precision, 1, static_cast<int>(std::ceil(10 / way)));
   INFO("wall way " << way << " R, kind " << kind << ": " << w.verdict.value_or("no verdict"));
@@ -140,7 +139,7 @@ TEST_CASE("H6 a liner that spins about its own axis may spin fast", "[hard]") {
   CHECK_FALSE(watched(scene, one, Precision::double_, 1, 10).verdict);
 }
 
-TEST_CASE("H7 beds on both sides of a thin plate do not feel each other", "[hard]") {
+TEST_CASE("H7 beds on both sides of a thin plate do not interact", "[hard]") {
   // Plates of 1 mm and 0.1 mm of two layers of triangles, and a single layer; spheres of 19 mm are thrown at them from
   // above and below. They overlap by up to 0.3 mm: through a plate thinner than both overlaps they touch each other.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
@@ -184,10 +183,10 @@ TEST_CASE("H7 beds on both sides of a thin plate do not feel each other", "[hard
     if (thick > 5e-4) CHECK(same(both.position[k], alone.position[row]));
     lowest = std::min(lowest, (is_top ? 1 : -1) * both.position[k].z / both.radius[k]);
   }
-  CHECK(lowest > 0.5);  // all stay on their side
+  CHECK(lowest > 0.5);  // all spheres stay on their side
 }
 
-TEST_CASE("H21 H22 a floor with bad triangles acts as a good one", "[hard]") {
+TEST_CASE("H21 H22 a floor with bad triangles acts as one without", "[hard]") {
   // Repeated, flipped and flat triangles, T-junctions, slivers of 1:1e6, one triangle of a kilometre.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const auto outcome = [&](bool bad) {
@@ -208,7 +207,7 @@ TEST_CASE("H21 H22 a floor with bad triangles acts as a good one", "[hard]") {
       }
       floor.triangles.push_back({corner(-1000, -1000), corner(1000, -900), corner(0, 1000)});          // huge, coplanar
       floor.triangles.push_back({corner(-0.9, 0.01), corner(0.9, 0.01), corner(0.9, 0.01 + 1.8e-6)});  // needle
-      const Index middle = corner(0.05, 0.05);  // inside a triangle: T-junctions all round
+      const Index middle = corner(0.05, 0.05);  // inside a triangle: T-junctions on all sides
       floor.triangles.push_back({middle, corner(0.3, 0.05), corner(0.05, 0.3)});
     }
     scene.walls = {{"floor", floor, Fixed{}, 1}};

@@ -15,7 +15,7 @@ namespace {
 
 using namespace fixtures;
 
-/// A machine that has everything, under a load that depends on the angle.
+/// A machine with all options, under a load that depends on the angle.
 DrivetrainParameters full_machine() {
   DrivetrainParameters machine = crusher_62_75(induction_450kw());
   machine.gear_efficiency = 0.97;
@@ -116,7 +116,7 @@ TEST_CASE("Constant speed: exact angle, torque as needed", "[mbd][drivetrain]") 
   CHECK(std::abs(drivetrain.energy_residual()) < 1e-9 * drivetrain.state().motor_work);
 }
 
-TEST_CASE("Paper's operating point: 21 kN m brings the droop motor to 125 rpm", "[mbd][drivetrain]") {
+TEST_CASE("Operating point of the paper: 21 kN m slows the droop motor down to 125 rpm", "[mbd][drivetrain]") {
   Drivetrain drivetrain(crusher_62_75(paper_droop()));
   run(drivetrain, 20, 4000, [](double, double) { return 21e3; });
   CHECK(drivetrain.state().speed / rpm == Approx(125).epsilon(1e-6));
@@ -137,7 +137,7 @@ TEST_CASE("The wall's path never jumps", "[mbd][drivetrain]") {
   CHECK(gap < 2e-6);  // [rad]: H^2 / 2 J for a change of 20 kN m within a window
 }
 
-TEST_CASE("A run that continues from a saved state repeats the bits", "[mbd][drivetrain]") {
+TEST_CASE("A run that continues from a saved state has the same bits", "[mbd][drivetrain]") {
   Drivetrain whole(full_machine()), first(full_machine()), second(full_machine());
   for (int k = 0; k < 400; ++k) exchange(whole, window_number(k, 1e-3), crushing);
   for (int k = 0; k < 150; ++k) exchange(first, window_number(k, 1e-3), crushing);
@@ -185,7 +185,7 @@ TEST_CASE("Wrong use and wrong numbers are refused", "[mbd][drivetrain]") {
   refused([](auto& machine) { machine.losses.load_factor = -0.1; });
   refused([](auto& machine) { machine.losses.no_load_power = 2e6; });  // more than breakdown
   refused([nan](auto& machine) { machine.losses.viscous = nan; });
-  refused([](auto& machine) {  // 300 kW: carried when running, but more than the starting torque
+  refused([](auto& machine) {  // 300 kW: the running motor carries it, but it is more than the starting torque
     machine.losses.no_load_power = 300e3;
     machine.start = DrivetrainStart::rest;
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The torques of the rock on the drive are those of virtual work.
+// The torques of the rock on the drive by virtual work.
 #include "mbd/mantle_load.hpp"
 
 #include "core/math/random.hpp"

@@ -52,13 +52,13 @@ TEST_CASE("Statics of the mantle: force times lever at bushing and spider", "[mb
   const BearingForces forces = bearing_forces(force, cross(Vec3d{0, 0, -at}, force), axis, depth);
   CHECK(forces.bushing == Approx(2.5e6 * at / depth));
   CHECK(forces.spider == Approx(2.5e6 * (1 - at / depth)));
-  const Vec3d down{0, 0, -1e6};  // the piston below takes it
+  const Vec3d down{0, 0, -1e6};  // the piston below the mantle carries it
   CHECK(bearing_forces(down, Vec3d{}, axis, depth).spider == Approx(0).margin(1e-6));
 }
 
 TEST_CASE("No-slip point: the mantle rolls backwards on the rock", "[mbd][mantle]") {
   Drivetrain drivetrain(spinning_machine(ConstantSpeedMotor{600 * rpm}, 0, 0));
-  CHECK(drivetrain.state().spin == Approx(160 * rpm * tilt_cosine));  // nothing held it back before
+  CHECK(drivetrain.state().spin == Approx(160 * rpm * tilt_cosine));  // dragged along by the eccentric until now
   run_on_sticky_rock(drivetrain, 1e6, 1e-3, 2000);
   // sigma = -w e / rho: -3.6 rpm at 160 rpm.
   const double rolling = -160 * rpm * surface_depth * tilt_sine / surface_radius;
@@ -72,7 +72,7 @@ TEST_CASE("Rolling mantle: the bushing's drag is carried by rock and eccentric",
   const DrivetrainParameters machine = spinning_machine(paper_droop(), inner, 0);
   Drivetrain drivetrain(machine);
   run_on_sticky_rock(drivetrain, 2e5, 5e-3, 5000);
-  // The rock passes the drag on: f rho = -T_inner, T_c = T_inner e / rho; the eccentric carries T_c + T_inner cos b.
+  // The rock transmits the drag: f rho = -T_inner, T_c = T_inner e / rho; the eccentric carries T_c + T_inner cos b.
   const double rock = inner * surface_depth * tilt_sine / surface_radius;
   CHECK(drivetrain.state().spin_torque == Approx(-inner).epsilon(1e-6));
   CHECK(drivetrain.state().rock_torque == Approx(rock).epsilon(1e-6));
@@ -80,7 +80,7 @@ TEST_CASE("Rolling mantle: the bushing's drag is carried by rock and eccentric",
   CHECK(drivetrain.state().speed == Approx(160 * rpm - (rock + inner * tilt_cosine) / slope).epsilon(1e-8));
 }
 
-TEST_CASE("Fully dragged mantle: one rigid body with the eccentric, the rock's torque about it counts",
+TEST_CASE("Fully dragged mantle: one rigid body with the eccentric, loaded by the rock's torque about it",
           "[mbd][mantle]") {
   const double inner = 5000, spider = 800, spin_torque = -3000, rock = 9000;
   const DrivetrainParameters machine = spinning_machine(paper_droop(), inner, spider);
@@ -103,7 +103,7 @@ TEST_CASE("Fully dragged mantle: one rigid body with the eccentric, the rock's t
   CHECK(drivetrain.state().speed == Approx(160 * rpm - load / slope).epsilon(1e-8));
 }
 
-TEST_CASE("A mantle at rest is dragged up at T / J_a and then stays with the eccentric", "[mbd][mantle]") {
+TEST_CASE("A mantle at rest is accelerated at T / J_a and then turns with the eccentric", "[mbd][mantle]") {
   const double inner = 3000;
   const int windows = GENERATE(1, 7, 1000);
   Shaft shaft(spinning_machine(ConstantSpeedMotor{600 * rpm}, inner, 0));
@@ -120,7 +120,7 @@ TEST_CASE("A mantle at rest is dragged up at T / J_a and then stays with the ecc
   CHECK(motion.spin == Approx(tilt_cosine * motion.speed).epsilon(1e-15));
 }
 
-TEST_CASE("Idle: spider against bushing, closed form and long run agree", "[mbd][mantle]") {
+TEST_CASE("Idle: closed form of spider against bushing agrees with a long run", "[mbd][mantle]") {
   const auto [inner, spider] = GENERATE(table<double, double>({{600, 1000}, {1000, 600}, {990, 1000}}));
   const DrivetrainParameters machine = spinning_machine(paper_droop(), inner, spider, 1500);
   const IdleMantle idle = idle_mantle(machine);
@@ -134,7 +134,7 @@ TEST_CASE("Idle: spider against bushing, closed form and long run agree", "[mbd]
   CHECK(drivetrain.means().loss_power == Approx(idle.torque * start.speed).epsilon(1e-9));
 }
 
-TEST_CASE("The mantle breaks away beyond the bushing's torque, and is caught again", "[mbd][mantle]") {
+TEST_CASE("The mantle breaks loose beyond the bushing's torque, and is dragged along again", "[mbd][mantle]") {
   const double inner = 4000;
   Shaft shaft(spinning_machine(induction_450kw(), inner, 0));
   ShaftMotion motion = shaft.start();

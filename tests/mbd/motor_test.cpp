@@ -52,14 +52,14 @@ TEST_CASE("Droop of the paper: 160 rpm idle, 21 kN m at 125 rpm", "[mbd][motor]"
   CHECK(slope == Approx(5729.6).epsilon(1e-5));
 }
 
-TEST_CASE("Curve: linear between the points, as documented outside", "[mbd][motor]") {
+TEST_CASE("Curve: linear between the points, and as documented beyond them", "[mbd][motor]") {
   CHECK(catalogue.torque(0) == 200);
   CHECK(catalogue.torque(20) == Approx(190));
   CHECK(catalogue.torque(90) == Approx(250));
   CHECK(catalogue.torque(95) == Approx(150));
   CHECK(catalogue.torque(110) == Approx(-150));
-  CHECK(catalogue.torque(-30) == 200);           // locked-rotor torque goes on
-  CHECK(catalogue.torque(115) == Approx(-250));  // the last line goes on
+  CHECK(catalogue.torque(-30) == 200);           // the locked-rotor torque continues
+  CHECK(catalogue.torque(115) == Approx(-250));  // the last line continues
   CHECK(catalogue.no_load_speed() == Approx(102.5));
   CHECK(catalogue.torque(catalogue.no_load_speed()) == Approx(0).margin(1e-12));
 }
@@ -84,7 +84,7 @@ TEST_CASE("Two cages meet the name plate: rated, starting and pull-out torque", 
   CHECK(motor.current(0) < 7.5);
 }
 
-TEST_CASE("NEMA letters start and pull out inside their bands", "[mbd][motor]") {
+TEST_CASE("Motors by NEMA letter have starting and pull-out torques inside their bands", "[mbd][motor]") {
   struct Band {
     NemaDesign design;
     double start_low, start_high, pull_low, pull_high, slip_low, slip_high;
@@ -106,7 +106,7 @@ TEST_CASE("NEMA letters start and pull out inside their bands", "[mbd][motor]") 
   CHECK(largest <= band.pull_high);
 }
 
-TEST_CASE("A name plate that no pair of cages has is refused", "[mbd][motor]") {
+TEST_CASE("A name plate that no pair of cages can meet is refused", "[mbd][motor]") {
   CHECK_THROWS_AS(solve_cages({1e3, 100, 0.02, 2.0, 9.0}), BadInput);
   CHECK_THROWS_AS(solve_cages({1e3, 100, 0.3, 1.2, 0.1}), BadInput);
 }
@@ -149,11 +149,10 @@ TEST_CASE("Each motor law has its own name and parameters", "[mbd][motor]") {
     CHECK_FALSE(keys.empty());
     for (const std::string& key : keys) CHECK(std::ranges::count(keys, key) == 1);
   }
-  CHECK_THROWS_WITH(motor_of_model("steam"),
-                    Catch::Matchers::StartsWith("there is no motor model `steam`; the models"));
+  CHECK_THROWS_WITH(motor_of_model("steam"), Catch::Matchers::StartsWith("unknown motor model `steam`; use one of"));
 }
 
-TEST_CASE("Torques go with the voltage squared, a droop line is shifted", "[mbd][motor]") {
+TEST_CASE("Torques are proportional to the voltage squared, and a droop line is shifted", "[mbd][motor]") {
   const double voltage = 0.8;
   for (const double speed : {0.0, 30.0, 55.0}) {
     CHECK(motor_torque(catalogue, speed, voltage) == Approx(0.64 * catalogue.torque(speed)));

@@ -35,7 +35,7 @@ std::vector<DriveEvent> events_of(const DrivetrainParameters& machine, double lo
 TEST_CASE("Overload relay: time of a cold motor at constant current", "[mbd][protection]") {
   DrivetrainParameters machine = droop_machine();
   machine.start = DrivetrainStart::rest;
-  machine.eccentric_inertia = 1e12;  // does not move: the current stays
+  machine.eccentric_inertia = 1e12;  // does not move, so the current is constant
   const double current = GENERATE(2.0, 6.0);
   machine.protection = {.overload_time = 30, .rated_torque = 50e3 / current};
   const auto events = events_of(machine, 0, 20, GENERATE(1, 3, 500));
@@ -66,7 +66,7 @@ TEST_CASE("Under-speed relay: armed by speed, trips after its delay", "[mbd][pro
   for (int k = 0; k < windows; ++k) {
     const bool loaded = k * length >= begin * (1 - 1e-12);
     exchange(drivetrain, window_number(k, length), [&](double, double) { return loaded ? overload : 0; });
-    if (!loaded) REQUIRE(drivetrain.events().empty());  // the run-up is no fault
+    if (!loaded) REQUIRE(drivetrain.events().empty());  // the run-up must not trip
   }
   const auto events = drivetrain.events();
   REQUIRE(!events.empty());
@@ -106,7 +106,7 @@ TEST_CASE("After a trip: coasts or brakes to a standstill", "[mbd][protection]")
   CHECK(std::abs(drivetrain.energy_residual()) < 1e-3 * drivetrain.state().start_energy);
 }
 
-TEST_CASE("Restart, forward or reversed, up to the speed it had", "[mbd][protection]") {
+TEST_CASE("Restart, forward or reversed, up to the earlier speed", "[mbd][protection]") {
   DrivetrainParameters machine = droop_machine();
   const bool reversed = GENERATE(false, true);
   machine.protection = {
@@ -127,7 +127,7 @@ TEST_CASE("Restart, forward or reversed, up to the speed it had", "[mbd][protect
   CHECK(drivetrain.state().motor.restarts == 1);
 }
 
-TEST_CASE("A motor that draws too much at its start trips at once, as often as it restarts", "[mbd][protection]") {
+TEST_CASE("A motor that draws too much current at its start trips immediately at every restart", "[mbd][protection]") {
   DrivetrainParameters machine = droop_machine();
   machine.start = DrivetrainStart::rest;
   machine.protection = {.instantaneous_ratio = 2, .rated_torque = 10e3, .restart_delay = 1, .restarts = 2};
@@ -140,7 +140,8 @@ TEST_CASE("A motor that draws too much at its start trips at once, as often as i
   }
 }
 
-TEST_CASE("Voltage: torque of a cage goes with its square, so run-up takes 1/V^2 as long", "[mbd][protection]") {
+TEST_CASE("Voltage: torque of a cage is proportional to its square, so run-up takes 1/V^2 as long",
+          "[mbd][protection]") {
   const double ratio = GENERATE(0.7, 1.0, 1.1);
   DrivetrainParameters machine{.motor = textbook_kloss(), .eccentric_inertia = 500, .start = DrivetrainStart::rest};
   machine.voltage = {{0}, {ratio}};
@@ -155,7 +156,7 @@ TEST_CASE("Soft start: a ramp of voltage, droop integrated by hand", "[mbd][prot
   DrivetrainParameters machine = droop_machine();
   machine.start = DrivetrainStart::rest;
   machine.losses = {};
-  machine.voltage = {{0, 3}, {1e-9, 1}};  // from as good as nothing: at 0 V it could not start
+  machine.voltage = {{0, 3}, {1e-9, 1}};  // from almost 0, because it cannot start at 0 V
   Drivetrain drivetrain(machine);
   run(drivetrain, 2.5, GENERATE(1, 25, 2500), no_rock);
   CHECK(drivetrain.state().speed == Approx(20 * (2.5 - tau * (1 - std::exp(-2.5 / tau))) / 3).epsilon(1e-6));
@@ -199,8 +200,8 @@ TEST_CASE("Protection out of range is refused", "[mbd][protection]") {
   refused([](auto& m) { m.protection = {.under_speed = 1.5}; });
   refused([](auto& m) { m.voltage = {{0, 0}, {1, 1}}; });
   refused([](auto& m) { m.voltage = {{0}, {-1}}; });
-  refused([](auto& m) { m.spring.stiffness = 1e5; });                              // no inertia of the motor
-  refused([](auto& m) { m.bearings.inner = {.friction = 0.01, .radius = 0.3}; });  // no depth
+  refused([](auto& m) { m.spring.stiffness = 1e5; });                              // the motor has no inertia
+  refused([](auto& m) { m.bearings.inner = {.friction = 0.01, .radius = 0.3}; });  // the depth is missing
   refused([](auto& m) { m.mantle_inertia = -1; });
 }
 

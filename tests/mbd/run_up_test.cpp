@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Run-up of NEMA motors without load, t = integral of J dw / T(w), against numbers that owe nothing to this program:
+// Run-up of NEMA motors without load, t = integral of J dw / T(w), against numbers from independent software:
 // cages by scipy's fsolve from the name plates of double_cage.hpp, integrals by its adaptive quadrature (QUADPACK).
 #include "app/verify/fixtures/drives.hpp"
 #include "tests/catch.hpp"
@@ -11,7 +11,7 @@ using namespace gyro::fixtures;
 
 struct RunUp {
   NemaDesign design;
-  double share, time;  ///< of the synchronous speed [-]; to get there from rest [s]
+  double share, time;  ///< of the synchronous speed [-]; of the run-up to it from rest [s]
 };
 
 constexpr double synchronous = 600 * rpm, at_motor = 5000 / (3.75 * 3.75) + 50;  // [rad/s], inertia [kg m2]

@@ -38,7 +38,7 @@ TEST_CASE("CVODE finds the times of the Kloss run-up", "[mbd][shaft]") {
   CHECK(speed[0] == Approx(100 * (1 - slip)).epsilon(1e-12));
 }
 
-TEST_CASE("Gear losses take the same share whichever way power flows", "[mbd][shaft]") {
+TEST_CASE("Gear losses are the same share of the power in both directions of flow", "[mbd][shaft]") {
   const Transmission gear{.ratio = 3.75, .efficiency = 0.96};
   CHECK(gear.torque_at_eccentric(1000, +1) == Approx(3600));
   CHECK(gear.torque_at_eccentric(-1000, +1) == Approx(-3750 / 0.96));

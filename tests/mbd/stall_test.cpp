@@ -80,7 +80,7 @@ TEST_CASE("Overload without friction drives the machine backwards, through zero 
   CHECK(drivetrain.state().direction == -1);
   CHECK(drivetrain.state().speed < -1);
   CHECK(std::abs(drivetrain.energy_residual()) < 1e-6 * drivetrain.state().start_energy);
-  for (; k < 15000; ++k) watch.window(drivetrain, k, no_rock);  // the motor brings it back
+  for (; k < 15000; ++k) watch.window(drivetrain, k, no_rock);  // the motor drives it forward again
   CHECK(watch.changes == 2);
   CHECK(drivetrain.state().speed == Approx(160 * rpm).epsilon(1e-6));
 }
@@ -104,7 +104,7 @@ TEST_CASE("A stuck shaft moves again only beyond the static friction", "[mbd][st
   CHECK(direction_under(backward_limit * (1 + 1e-9)) == -1);
 }
 
-TEST_CASE("An elastic cavity throws the machine back with less energy than it stored", "[mbd][stall]") {
+TEST_CASE("An elastic chamber drives the machine back with less energy than it stored", "[mbd][stall]") {
   const double stiffness = 2e6, touch = 1.0;  // [N m/rad], [rad]
   const auto energy = [&](double angle) { return 0.5 * stiffness * std::pow(std::max(0.0, angle - touch), 2); };
   const auto cavity = [&](double begin, double end) {
@@ -123,7 +123,7 @@ TEST_CASE("An elastic cavity throws the machine back with less energy than it st
   CHECK(watch.changes == 1);
   CHECK(drivetrain.state().angle < touch);  // out of the rock again
   CHECK(backward_energy > 0.8 * stored);
-  CHECK(backward_energy < 0.95 * stored);  // bearings take 5 % each way, and the idle loss
+  CHECK(backward_energy < 0.95 * stored);  // bearings dissipate 5 % in each direction, and there is the idle loss
   CHECK(std::abs(drivetrain.energy_residual()) < 1e-3 * stored);
 }
 
@@ -150,7 +150,8 @@ TEST_CASE("A machine on a spring oscillates, comes to rest by friction and stays
   CHECK(watch.wall_creep == 0);
 }
 
-TEST_CASE("Turned back and held: friction stops the machine in backward motion, and an event says so", "[mbd][stall]") {
+TEST_CASE("Turned back and held: friction stops the machine in backward motion, and an event reports it",
+          "[mbd][stall]") {
   // Forward until (1 + f) k x stops it at x0, back to 2 x_b - x0 with x_b = M / ((1 - f) k): held there if that is
   // above M / ((1 + f) k). With f = 0.3 and this spring x0 is about 1.7 M / k, between 1.43 (turned back) and 2.09
   // (held).
@@ -175,9 +176,9 @@ TEST_CASE("Turned back and held: friction stops the machine in backward motion, 
   CHECK(events[2].time == Approx(rested).margin(1.01 * length));
 }
 
-TEST_CASE("Rigid jam that only resists: rattle falls with the window", "[mbd][stall]") {
+TEST_CASE("A rigid jam that only resists: rattling decreases with the window", "[mbd][stall]") {
   // The hardest load for held values: it jumps with the direction and has no elasticity at all. The wall
-  // turns round up to two windows after the shaft, so the speed may gather three windows' impulses.
+  // reverses up to two windows after the shaft, so the speed may grow by the impulses of three windows.
   const double window = GENERATE(0.5e-3, 1e-3, 2e-3);
   const double load = 1.1 * breakdown_at_eccentric();
   const DrivetrainParameters machine = machine_with_losses(0.05);

@@ -27,7 +27,7 @@ struct AdaptiveRun {
 
 }  // namespace
 
-TEST_CASE("Windows are halved until the residual is small, and grow again when it allows", "[mbd][coupling]") {
+TEST_CASE("Windows are halved until the residual is small, and doubled again when it allows", "[mbd][coupling]") {
   DrivetrainParameters light = shaft_on_spring(300);
   light.residual_limit = 0.02;
   AdaptiveRun run{Drivetrain(light), 5e-3, 5e6};
@@ -42,13 +42,13 @@ TEST_CASE("Windows are halved until the residual is small, and grow again when i
     fastest = std::max(fastest, std::abs(run.drivetrain.state().speed));
   }
   CHECK(residual < 0.03 * passed);
-  CHECK(fastest < 1.02);  // it began at 1 rad/s: no growth
+  CHECK(fastest < 1.02);  // it began at 1 rad/s, so the oscillation does not grow
   run.stiffness = 5e2;
   while (run.time < 4) run.window();
   CHECK(run.drivetrain.window_divisor() == 1);
 }
 
-TEST_CASE("A crusher at its usual window is never halved", "[mbd][coupling]") {
+TEST_CASE("The usual window of a crusher is not halved", "[mbd][coupling]") {
   DrivetrainParameters machine = crusher_62_75(paper_droop());
   machine.losses = {.no_load_power = 50e3, .load_factor = 0.05};
   machine.residual_limit = 0.02;

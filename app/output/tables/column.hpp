@@ -105,17 +105,17 @@ struct Repeat {
   std::vector<std::string> OutputForm::*names;  ///< what replaces it
 };
 
-/// A column of a table of results.h5: what is said of a dataset, and the function that gives its numbers.
+/// A column of a table of results.h5: the description of a dataset, and the function that computes its numbers.
 template <class Now, class Window = NoWindow>
 struct Column {
   Text name;
   Text units;  ///< as in "rad/s"; "1" for a pure number
   Value<Now, Window> value;
   Text description;                      ///< one line
-  Presence presence = always;            ///< where the table is present
+  Presence presence = always;            ///< in addition to the presence of the table
   Sampling sampled = Sampling::instant;  ///< of a function of `Now`; one of `Window` gives means
   hdf5::Number number = hdf5::Number::float64;
-  const char* array = "";             ///< what an array has one number for, as "sieve"
+  const char* array = "";             ///< what each number of an array belongs to, such as "sieve"
   std::optional<Repeat> repeat = {};  ///< of Shape::vectors
 
   Sampling sampling() const { return value.is_mean() ? Sampling::mean : sampled; }
@@ -130,7 +130,7 @@ struct Table {
   std::vector<Column<Now, Window>> columns;
 };
 
-/// A name or description with a name in place of its placeholder.
+/// `text` with `name` in place of the placeholder.
 inline std::string fill_in(std::string text, const std::string& placeholder, const std::string& name) {
   if (const std::size_t at = text.find(placeholder); at != std::string::npos)
     text.replace(at, placeholder.size(), name);

@@ -8,19 +8,19 @@
 
 namespace gyro {
 
-/// What a run has, as far as it decides which outputs there are.
+/// Properties of a run that determine which outputs it has.
 struct OutputForm {
   bool drive = false, mantle = false, feed = false, product = false, bonds = false;
   DriveKnowledge drive_knows = {};
   std::vector<std::string> walls = {};   ///< names of all walls but the first gyrating one
   std::vector<std::string> probes = {};  ///< ids of the particles that the series follow
-  bool liners = false, wear = false;     ///< maps of the liners are asked for; with a depth of wear
+  bool liners = false, wear = false;     ///< whether the case asks for liner maps, and for wear in them
 };
 
-/// When a table or a column is there.
+/// Condition for a table or a column.
 struct Presence {
-  const char* text;                  ///< completes "present ...", as "with bonds"
-  bool (*holds)(const OutputForm&);  ///< whether it is there in a run
+  const char* text;                  ///< completes "present ...", for example "with bonds"
+  bool (*holds)(const OutputForm&);  ///< whether it is present in a run
 };
 
 inline constexpr Presence always{"always", [](const OutputForm&) { return true; }};

@@ -6,12 +6,12 @@
 
 namespace gyro {
 
-/// What a user must know of one dataset, field or attribute that a run writes.
+/// Description of one dataset, field or attribute that a run writes.
 struct OutputEntry {
   std::string name;
-  std::string units;        ///< "1" for a pure number; empty where there is none
-  std::string width;        ///< numbers in a row: "1", "3", or what there is one for, as "sieve"
-  std::string sampling;     ///< see Sampling; empty for what belongs to no time
+  std::string units;        ///< "1" for a pure number; empty if there is none
+  std::string width;        ///< numbers in a row: "1", "3", or what each number belongs to, such as "sieve"
+  std::string sampling;     ///< see Sampling; empty if the entry has no time
   std::string when;         ///< "always", "with bonds"
   std::string description;  ///< one line
 };

@@ -105,7 +105,7 @@ const Table<SeriesReading, WindowReading>& series_table() {
            .value = [](const Row& r) { return r.escaped_mass; },
            .description =
                "mass that has left over the rim of the concave since the start: wholly below the rim and outside "
-               "of the concave; it is no product",
+               "of the concave; it does not count as product",
            .presence = with_product},
           {.name = "holdup_mass",
            .units = "kg",

@@ -9,11 +9,11 @@
 
 namespace gyro {
 
-/// Writes a table of one run. The header and every row come from the same columns: those that this run has.
+/// Writes a table of one run. The header and all rows are made from the same columns: those that this run has.
 template <class Now, class Window = NoWindow>
 class TableWriter {
  public:
-  /// Sums of the row that is not complete yet, for a checkpoint.
+  /// Sums for the row that is not complete yet, for a checkpoint.
   struct State {
     double length = 0;         ///< of the windows since the last row [s]
     std::vector<double> sums;  ///< of value x window length since the last row, by number of the means
@@ -26,7 +26,7 @@ class TableWriter {
   };
 
   /// @param array  numbers of the table's arrays
-  /// @param group  name in this run, where the table's has a placeholder
+  /// @param group  name in this run, if the name of the table has a placeholder
   TableWriter(const Table<Now, Window>& table, const OutputForm& form, std::size_t array = 0, std::string group = {}) {
     declaration_.name = group.empty() ? std::string(table.group) : std::move(group);
     std::size_t means = 0;
@@ -43,7 +43,7 @@ class TableWriter {
     state_.sums.assign(means, 0.0);
   }
 
-  /// What results.h5 must have for it.
+  /// Its group in results.h5.
   const ResultsGroup& declaration() const { return declaration_; }
   double length() const { return state_.length; }  ///< of the windows since the last row [s]
 

@@ -13,7 +13,7 @@
 /// rows.cpp or liner_maps.cpp.
 namespace gyro {
 
-/// What a coupling window gives to the means of a row.
+/// Quantities of a coupling window, for the means of a row.
 struct WindowReading {
   double length = 0;                    ///< [s]
   double crushing_power = 0;            ///< [W]
@@ -27,7 +27,7 @@ struct SeriesReading {
   double time = 0, interval = 0;                                                      ///< end and length of the row [s]
   double motor_speed = 0, eccentric_speed = 0, eccentric_angle = 0, mantle_spin = 0;  ///< [rad/s], [rad]
   double feed_mass = 0, discharged_mass = 0, escaped_mass = 0, holdup_mass = 0;       ///< [kg]
-  double discharged_before = 0;                                                       ///< at the row's begin [kg]
+  double discharged_before = 0;                                                       ///< before the row [kg]
   Counts counts = {};
   std::int64_t fragments = 0;
   double largest_fragment = 0;                                                       ///< [kg]
@@ -46,7 +46,7 @@ struct LedgerReading {
 };
 const Table<LedgerReading, WindowReading>& ledger_table();
 
-/// What the run has cost until the end of a row of /performance.
+/// Cost of the run until the end of a row of /performance.
 struct PerformanceReading {
   double time = 0, wall_seconds = 0;  ///< [s]
   Counts counts = {};
@@ -70,14 +70,14 @@ struct Sieves {
 const Table<Sieves>& product_sieves();
 const Table<Sieves>& holdup_sieves();
 
-/// What rock has done to the cells of a liner since the last map, or to its triangles since the start.
+/// Loads of the rock on the cells of a liner since the last map, or on its triangles since the start.
 struct LinerReading {
   double time = 0;
   std::vector<double> pressure = {}, work = {}, wear = {};  ///< [Pa], [J], [m]
 };
 const Table<LinerReading>& liner_cells_table();
 const Table<LinerReading>& liner_triangles_table();
-/// Where the cells and triangles of a liner are, written once.
+/// Positions of the cells and triangles of a liner, written once.
 struct LinerShape {
   std::vector<double> heights, azimuths, area, corners;  ///< [m], [rad], [m2], [m]
 };

@@ -40,9 +40,9 @@ struct Hysteretic {
     return out;
   }
 
-  /// Stiffness of the loading spring, and the stiffness that limits the step [N/m]: 16 k2, a quarter of the step that would
-  /// be stable. A step that passes from the loading to the unloading line takes its force from one of them: at 0.7 of
-  /// the stable step a restitution of 0.5 is off by 10 %, at a quarter of that by 0.6 % (cases/bench/accuracy).
+  /// Stiffness of the loading spring, and the stiffness that limits the step [N/m]: 16 k2, a quarter of the step that
+  /// would be stable. A step that passes from the loading to the unloading line takes its force from one of them: at
+  /// 0.7 of the stable step a restitution of 0.5 is off by 10 %, at a quarter of that by 0.6 % (cases/bench/accuracy).
   template <class T>
   GYRO_HD static T stiffness(const ContactConstants<T>& law, T radius, T) {
     return loading_stiffness(law, radius);

@@ -44,7 +44,7 @@ Verification in_double(const std::string& name, void (*run)(Recorder&), When whe
 
 }  // namespace
 
-TEST_CASE("A report says whether the checks that its filter fits have passed") {
+TEST_CASE("A report says whether the checks that match its filter have passed") {
   const auto right = [](Recorder& r) { r.relative("value", 1, 1, {1e-9, 1e-9}, "test"); };
   const auto wrong = [](Recorder& r) {
     r.relative("value", 2, 1, {1e-9, 1e-9}, "test");
@@ -70,7 +70,7 @@ TEST_CASE("A report says whether the checks that its filter fits have passed") {
   CHECK_THROWS_AS(passed("("), BadInput);
 }
 
-TEST_CASE("A filter that fits no check is refused before anything runs, with the groups") {
+TEST_CASE("A filter that matches no check is refused with the list of groups before any check runs") {
   const auto never = [](Recorder&) { FAIL("ran"); };
   const std::vector<Verification> all{in_double("group/case", never), in_double("other/long", never, When::nightly)};
   const verify::CheckNames names{{"group/case", {"group/case/value"}}, {"other/long", {"other/long/value"}}};

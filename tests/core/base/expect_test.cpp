@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Signal that ends a process which expects this, 0 if it lives on.
+/// Signal that ends a process that expects this condition; 0 if it exits normally.
 int signal_of_expecting(bool condition) {
   const pid_t child = fork();
   if (child == 0) {
@@ -31,7 +31,7 @@ TEST_CASE("An expectation that holds changes nothing", "[base]") {
   CHECK(signal_of_expecting(true) == 0);
 }
 
-TEST_CASE("A broken expectation stops a debug build and is not evaluated in a release build", "[base]") {
+TEST_CASE("A violated expectation stops a debug build and is not evaluated in a release build", "[base]") {
   int evaluated = 0;
   GYRO_EXPECT(++evaluated > 0);
 #if defined(NDEBUG)

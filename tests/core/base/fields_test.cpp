@@ -47,7 +47,7 @@ static_assert(!declares_every_field<Forgetful>);
 
 }  // namespace
 
-TEST_CASE("Fields are visited by name, in several objects at a time", "[base]") {
+TEST_CASE("Fields are visited by name, in several objects at the same time", "[base]") {
   Whole from, to;
   from.number = 8;
   from.vector.y = 9;

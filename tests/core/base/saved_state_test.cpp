@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is put into a saved state comes back with the same bits, by whatever way its fields are declared.
+// Values in a saved state are restored with the same bits, for all ways to declare fields.
 #include "tests/catch.hpp"
 
 #include "core/base/saved_state.hpp"
@@ -83,7 +83,7 @@ TEST_CASE("Rows of a struct become a column for each field", "[base][state]") {
   CHECK(std::signbit(s.get<Row>("rows")[1].time));
 }
 
-TEST_CASE("No rows come back as no rows", "[base][state]") {
+TEST_CASE("An empty table is restored as an empty table", "[base][state]") {
   SavedState s;
   s.put("rows", std::vector<Row>{});
   s.put("vectors", std::vector<Vec3d>{});
@@ -110,7 +110,7 @@ TEST_CASE("Rows of equal numbers are one column", "[base][state]") {
   CHECK(s.get_one<Vec3d>("place").z == 3);
 }
 
-TEST_CASE("What does not fit what is asked for is refused, with the column's name", "[base][state]") {
+TEST_CASE("A saved column that is missing, or of another type or length, is refused with its name", "[base][state]") {
   SavedState s;
   s.put("rows", some_rows());
   s.put("numbers", std::vector<double>{1, 2});
@@ -119,7 +119,7 @@ TEST_CASE("What does not fit what is asked for is refused, with the column's nam
   CHECK_THROWS_WITH(s.get<Vec3d>("numbers"), Contains("numbers"));
   CHECK_THROWS_WITH(s.get<double>("numbers", 3), Contains("2 rows of numbers"));
   CHECK_THROWS_WITH(s.get<Row>("rows", 1), Contains("2 rows of rows"));
-  CHECK_THROWS_AS(s.get_one<Row>("rows"), BadInput);  // two of them
+  CHECK_THROWS_AS(s.get_one<Row>("rows"), BadInput);  // there are two rows
   s.put("rows/id", std::vector<std::uint32_t>{1});
   CHECK_THROWS_WITH(s.get<Row>("rows"), Contains("1 rows of rows/id"));
   s.columns().erase("rows/time");

@@ -27,7 +27,7 @@ TEST_CASE("A job calls every index once", "[exec]") {
   CHECK(calls_of_one_job(team) == std::vector<int>(static_cast<std::size_t>(threads), 1));
 }
 
-TEST_CASE("Each index of a job has its own thread, the first the caller's", "[exec]") {
+TEST_CASE("Each index of a job has its own thread, and the first runs on the caller's", "[exec]") {
   ThreadTeam team(4);
   std::vector<std::thread::id> ids(4);
   team.run([&](int t) { ids[static_cast<std::size_t>(t)] = std::this_thread::get_id(); });
@@ -45,7 +45,7 @@ TEST_CASE("Many short jobs follow each other without losing one", "[exec]") {
   CHECK(sums == std::vector<std::int64_t>(static_cast<std::size_t>(threads), std::int64_t{jobs} * (jobs - 1) / 2));
 }
 
-TEST_CASE("What the threads of a job wrote is there when it returns", "[exec]") {
+TEST_CASE("The results of all threads of a job are visible when it returns", "[exec]") {
   ThreadTeam team(4);
   std::vector<int> values(4000, 0);
   for (int job = 1; job <= 200; ++job) {
@@ -74,7 +74,7 @@ TEST_CASE("Threads that have fallen asleep serve the next job, and end with thei
   }
 }
 
-TEST_CASE("A team that never had a job ends", "[exec]") {
+TEST_CASE("A team without any job ends", "[exec]") {
   for (int k = 0; k < 50; ++k) ThreadTeam(8);
   SUCCEED();
 }

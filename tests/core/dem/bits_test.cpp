@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What changes no bit of the results: threads, skins, order of insertion, windows, removed rock.
+// Threads, skins, order of insertion, windows and removed rock change no bit of the results.
 #include "app/verify/fixtures/rocks.hpp"
 #include "app/verify/fixtures/scenes.hpp"
 #include "app/verify/fixtures/snapshots.hpp"

@@ -80,7 +80,7 @@ TEST_CASE("Shear failure in compression does not change the normal force", "[dem
   jump = dot(s.force[1], n) - before;
   CHECK(std::abs(jump) < 2 * std::abs(change_before));
   CHECK(norm(tangential(s.force[1], n)) <= 0.5 * dot(s.force[1], n) * (1 + 1e-5));
-  const double work = 4 * 0.5 * s.mass[0];  // of the order of the energies at play
+  const double work = 4 * 0.5 * s.mass[0];  // of the order of the energies in the scene
   CHECK(std::abs(dem->energy().residual()) < 0.01 * work);
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("A pair whose bond is broken touches as spheres do, before the lists a
   CHECK(std::abs(dem->energy().residual()) < 1e-3 * 0.5 * s.mass[0] * 4);
 }
 
-TEST_CASE("Breaking every bond at once without load sets nothing in motion", "[dem][bond]") {
+TEST_CASE("Breaking every bond at once without load sets no particle in motion", "[dem][bond]") {
   // Packed with overlap, touching, or with gaps: full contact forces at 10 % overlap of the radius
   // would throw the spheres apart at metres per second.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);

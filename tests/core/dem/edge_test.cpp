@@ -61,7 +61,7 @@ TEST_CASE("Every contact is found between sizes of 1:60", "[dem][search]") {
   CHECK(error_of_first_step(scene, spheres) < 1e-9);
 }
 
-TEST_CASE("A sphere a kilometre away hides no contact", "[dem][search]") {
+TEST_CASE("A sphere a kilometre away does not hide contacts", "[dem][search]") {
   const Scene scene = plain_scene(1e-9);
   std::vector<NewRock> spheres = cloud({{10, 10, 10}, 0.02, 0.0099, 0});
   for (NewRock& s : spheres) s.particles[0].radius = 0.0102;

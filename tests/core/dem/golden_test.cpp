@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Golden hashes: every bit of some small scenes, the same for any number of threads, instruction set and build.
 //
-// A hash that changes says that results have changed in some bit. If that was not meant, it is a mistake: find it. If
-// it was meant (a law, an order of summation), take over the numbers that the failing test prints, and write a line in
+// A hash that changes shows that some bit of the results has changed. If that is unintended, find the mistake. If
+// it is intended (a law, an order of summation), copy the numbers that the failing test prints, and write a line in
 // CHANGELOG.md that says what changed in results and why.
 //
 // The scenes use no function whose last bit depends on the maths library (sin, exp, hypot): no rotating wall, profiles
@@ -64,7 +64,7 @@ std::uint64_t hash_of(Dem& dem) {
   for (const WallImpulse& w : dem.take_wall_impulses())
     hash.add(w.wall), hash.add(w.centre), hash.add(w.radius), hash.add(w.impulse), hash.add(w.slip);
   Counts counts = dem.counts();
-  counts.rebuilds = 0;  // neighbour lists are no result
+  counts.rebuilds = 0;  // the number of rebuilds does not belong to the results
   hash.add(counts);
   return hash.value();
 }
@@ -149,7 +149,7 @@ const Golden goldens[] = {
     {"spheres on walls", spheres_on_walls, 0x1afda1aa084a7464, 0x598508f4d06e635d},
 };
 
-/// A scene in which nothing happened would hold no law.
+/// Checks that contacts, breakage and motion occur, so that the hash covers the laws.
 void require_busy(const Dem& dem, const Scene& scene) {
   const Counts counts = dem.counts();
   const EnergyTerms energy = dem.energy();
@@ -162,7 +162,7 @@ void require_busy(const Dem& dem, const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("Fixed scenes have the bits that they have always had", "[dem][bits]") {
+TEST_CASE("Fixed scenes have the stored hashes", "[dem][bits]") {
   const Golden& golden = goldens[GENERATE(0, 1, 2, 3)];
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   const Setup setup = golden.setup(precision);

@@ -67,7 +67,7 @@ TEST_CASE("The forces on walls are opposite to those on the rock", "[dem][ledger
   CHECK(norm(gained + time * walls) < (precision == Precision::double_ ? 1e-10 : 1e-6) * largest * time);
 }
 
-TEST_CASE("A plane, a flat mesh and a flat profile are the same floor", "[dem][walls]") {
+TEST_CASE("A plane, a flat mesh and a flat profile act as the same floor", "[dem][walls]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double dt = 5e-6;
   const ProfileShape profile{{{0, 0}, {0.7, 0}, {3, 0}}};

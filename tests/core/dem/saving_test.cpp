@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene that is saved and continued elsewhere has the bits of one that was never interrupted.
+// A scene that is saved and continued in another solver has the same bits as one without interruption.
 #include "app/verify/fixtures/snapshots.hpp"
 #include "app/verify/fixtures/stage.hpp"
 #include "tests/gpu/mirror.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 using Make = std::function<std::unique_ptr<Dem>()>;
 
-/// A scene that is saved and restored into another solver before each window; the makers take turns.
+/// A scene that is saved and restored into another solver before each window; the makers alternate.
 class Restarting final : public Dem {
  public:
   explicit Restarting(std::vector<Make> makers) : makers_(std::move(makers)), dem_(makers_.front()()) {}
@@ -76,7 +76,7 @@ std::unique_ptr<Dem> busy(Precision precision) {
 
 }  // namespace
 
-TEST_CASE("A run that is restarted before every window has the bits of one that is not", "[dem][bits]") {
+TEST_CASE("A run that is restarted before every window has the same bits as one without restarts", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
   const int hold = GENERATE(1, 3);
   const Outcome whole = break_rocks(*on_cpu(precision, 1, hold)());

@@ -74,7 +74,7 @@ TEST_CASE("Held forces act as a leapfrog with the step of the hold", "[dem][hold
     CHECK(rebound(Precision::double_, hold, 12, true) == Approx(1).margin(3 * std::abs(whole - 1)));
 }
 
-TEST_CASE("A rock crushed with held forces breaks as without, and its energies add up", "[dem][hold][ledger]") {
+TEST_CASE("A rock crushed with held forces breaks as one without, and its energies add up", "[dem][hold][ledger]") {
   const double dt = 2e-6;
   const Crush each = crush(1, dt);
   for (const int hold : {2, 4, 8}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work by blocks, with a kernel that has nothing to do with rock.
+// Work by blocks, with a kernel without physics.
 #include "tests/catch.hpp"
 
 #include "core/exec/cpu.hpp"
@@ -67,7 +67,7 @@ Mixed mixed(const Blocks& blocks, int threads) {
 
 }  // namespace
 
-TEST_CASE("Every block is worked on once, its items in order, for any number of threads", "[exec]") {
+TEST_CASE("Every block is processed once, its items in order, for any number of threads", "[exec]") {
   const Index count = GENERATE(0, 1, 2, 7, 300);
   const Blocks blocks(count);
   const Mixed one = mixed(blocks, 1);
@@ -81,7 +81,7 @@ TEST_CASE("Every block is worked on once, its items in order, for any number of 
   }
 }
 
-TEST_CASE("Rows are cleared, also of blocks without items, and others are left alone", "[exec]") {
+TEST_CASE("Rows of all blocks are cleared, also of blocks without items, and other rows are unchanged", "[exec]") {
   const Blocks blocks(9);
   const Mixed out = mixed(blocks, 2);
   std::vector<bool> owned(blocks.row_count(), false);

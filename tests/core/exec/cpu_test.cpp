@@ -83,7 +83,7 @@ TEST_CASE("A reduction adds in the same order for any number of threads", "[exec
     chunks += sum;
   }
   CHECK(same_bits(one, chunks));
-  if (n == 100'000) {  // the order matters: otherwise this test could not fail
+  if (n == 100'000) {  // checks that the order matters, otherwise this test could not fail
     double straight = 0;
     for (Index i = 0; i < n; ++i) straight += Uneven{}(i);
     CHECK_FALSE(same_bits(one, straight));
@@ -97,7 +97,7 @@ TEST_CASE("A reduction begins with the neutral element, and works for other sums
   CHECK(cpu.reduce<Largest>("test", 5000, LargestOf{}).value == 1008);
 }
 
-TEST_CASE("An exclusive scan gives the begin of each row and the total", "[exec]") {
+TEST_CASE("An exclusive scan gives the beginning of each row and the total", "[exec]") {
   const std::size_t n = GENERATE(std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{1000});
   std::vector<Index> counts(n + 1);
   for (std::size_t k = 0; k < n; ++k) counts[k] = static_cast<Index>(random_bits(k) % 9);
@@ -128,7 +128,7 @@ TEST_CASE("The sort keeps the order of equal keys", "[exec]") {
   check_sort(std::vector<std::uint64_t>(300, 42));
 }
 
-TEST_CASE("The sort takes short, sorted and reversed keys", "[exec]") {
+TEST_CASE("The sort works for short, sorted and reversed keys", "[exec]") {
   check_sort({});
   check_sort({7});
   check_sort({9, 9});

@@ -106,7 +106,7 @@ TEST_CASE("Rocks are drawn so that every template has its share of the mass", "[
   plan.entry = BoxRegion{{-1, -1, 0}, {1, 1, 2}};
   plan.seed = 11;
   Feed feed(library, plan, {});
-  // Each call places what it can in an empty box and the box is emptied at once.
+  // Each call fills an empty box, which is then emptied.
   double time = 0;
   while (feed.account().rocks < 40000) feed.due(time += 0.02, {}, {});
 
@@ -154,7 +154,7 @@ TEST_CASE("An initial charge lies dense and free of overlap between the liners",
   CHECK(account.particles == particles);
   CHECK(account.mass == Approx(mass).epsilon(1e-12));
   CHECK(std::abs(mass - 2500) <= 0.5 * feed.template_mass(5));
-  // Ids go on without a hole, each rock's bonds refer to its own particles.
+  // Ids are consecutive, and each rock's bonds refer to its own particles.
   CHECK(rocks.back().particles.back().id + 1 == particles);
   CHECK(account.bonds > 0);
 
@@ -164,7 +164,7 @@ TEST_CASE("An initial charge lies dense and free of overlap between the liners",
   CHECK(dense >= 0.35);
 }
 
-TEST_CASE("The same seed gives the same charge, another one another", "[feed]") {
+TEST_CASE("Equal seeds give equal charges, and different seeds different ones", "[feed]") {
   const RockLibrary library = library_of(0.15, 0.3, 3, 4);
   const std::vector<Wall> walls = chamber_walls();
   FeedPlan plan = charge_plan(1000);
@@ -176,7 +176,7 @@ TEST_CASE("The same seed gives the same charge, another one another", "[feed]") 
   CHECK(!same(first, c.initial(rest)));
 }
 
-TEST_CASE("A charge respects a leaning mantle and particles that are there", "[feed]") {
+TEST_CASE("A charge leaves room for a leaning mantle and existing particles", "[feed]") {
   const RockLibrary library = library_of(0.12, 0.25, 4, 4);
   std::vector<Wall> walls = chamber_walls();
   walls[1].motion = GyrationMotion{0.0217, 4.2, 0};
@@ -220,7 +220,7 @@ TEST_CASE("A charge lies between liner meshes as between their profiles", "[feed
   CHECK(nearest >= 1e-4 * (1 - 1e-6));
 }
 
-TEST_CASE("A charge that does not fit is refused with what was asked and found", "[feed]") {
+TEST_CASE("A charge that does not fit is refused with the requested and the placed mass", "[feed]") {
   const RockLibrary library = library_of(0.2, 0.3, 2, 3);
   Feed feed(library, charge_plan(3000, 0.9), chamber_walls());
   CHECK_THROWS_WITH(feed.initial(rest), Catch::Matchers::Contains("does not fit below 0.9"));
@@ -233,11 +233,11 @@ TEST_CASE("Plans that cannot be carried out are refused", "[feed]") {
   FeedPlan plan = charge_plan(1000);
   CHECK_NOTHROW(make(plan));
   plan.charge.reset();
-  CHECK_THROWS_AS(make(plan), BadInput);  // no region
+  CHECK_THROWS_AS(make(plan), BadInput);  // the region is missing
   plan.charge = BoxRegion{{0, 0, 0}, {0.05, 1, 1}};
   CHECK_THROWS_WITH(make(plan), Catch::Matchers::Contains("larger than the region"));
   plan.charge = ChamberRegion{5, 1, 0, 1};
-  CHECK_THROWS_AS(make(plan), BadInput);  // no such wall
+  CHECK_THROWS_AS(make(plan), BadInput);  // the wall does not exist
   plan.charge = ChamberRegion{0, 1, 1, 1};
   CHECK_THROWS_AS(make(plan), BadInput);  // empty
   plan = {};
@@ -249,7 +249,7 @@ TEST_CASE("Plans that cannot be carried out are refused", "[feed]") {
   CHECK_THROWS_AS(Feed(RockLibrary{}, FeedPlan{}, walls), BadInput);
 }
 
-TEST_CASE("A fixed rock lies where it was put, or is refused", "[feed]") {
+TEST_CASE("A fixed rock has its given position, or is refused", "[feed]") {
   const RockLibrary library = library_of(0.2, 0.3, 2, 4);
   const std::vector<Wall> floor{{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 0}};
   const double reach = library.rocks[1].bounding_radius;

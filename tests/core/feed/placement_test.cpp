@@ -33,7 +33,7 @@ TEST_CASE("A sphere is placed on the foot of its region, or on the sphere below"
 
 TEST_CASE("The lowest free height is found below others too", "[feed]") {
   Bed bed;
-  bed.add({0, 0, 10 * R}, R);  // hangs: there is room under it
+  bed.add({0, 0, 10 * R}, R);  // suspended, with room below it
   CHECK(height_of(bed, {}, 0) == Approx(R).epsilon(1e-12));
   bed.add({0, 0, R}, R);
   CHECK(height_of(bed, {}, 0) == Approx(3 * R + gap).epsilon(1e-12));
@@ -97,7 +97,7 @@ TEST_CASE("A sphere stands on planes, in cones and in meshes of them", "[feed]")
   CHECK(height_of({}, {{"mesh", mesh, Fixed{}, 0}}, 0.3) == R);  // a mesh has two sides: there is room below it
 }
 
-TEST_CASE("A rock of several spheres stands on the one that hits first", "[feed]") {
+TEST_CASE("A rock of several spheres rests on the first one in contact", "[feed]") {
   RockTemplate rod = sphere_rock(R);
   rod.centres = {{-2 * R, 0, 0}, {0, 0, 0}, {2 * R, 0, 0}};
   rod.radii = {R, R, R};
@@ -108,7 +108,7 @@ TEST_CASE("A rock of several spheres stands on the one that hits first", "[feed]
   const Placement placement(region, walls, bed, gap);
   const double on_top = R + std::sqrt((2 * R + gap) * (2 * R + gap) - R * R / 4);
   CHECK(placement.lowest_height(rod, 0, 0, straight, never) == Approx(on_top).epsilon(1e-12));
-  // Upright it stands on its lowest sphere; turned by 90 degrees about z it misses.
+  // Upright it rests on its lowest sphere; rotated by 90 degrees about z it misses the sphere.
   const Quatd upright = rotation_about({0, 1, 0}, std::numbers::pi / 2);
   CHECK(placement.lowest_height(rod, 0, 0, upright, never) == Approx(3 * R).epsilon(1e-12));
   const Quatd across = rotation_about({0, 0, 1}, std::numbers::pi / 2);
@@ -117,8 +117,8 @@ TEST_CASE("A rock of several spheres stands on the one that hits first", "[feed]
   CHECK(placement.lowest_height(rod, 0.9, 0, straight, never) == never);  // through the side
 }
 
-TEST_CASE("Turns are uniform over all rotations", "[feed]") {
-  // A turned x axis is uniform on the sphere: each component has mean 0 and mean square 1/3, and
+TEST_CASE("Orientations are uniform over all rotations", "[feed]") {
+  // A rotated x axis is uniform on the sphere: each component has mean 0 and mean square 1/3, and
   // the trace of the rotation, 4 w^2 - 1, has mean 0 and variance 1.
   const int n = 20000;
   Vec3d mean{0, 0, 0}, square{0, 0, 0};

@@ -26,7 +26,7 @@ void append(std::vector<NewRock>& all, std::vector<NewRock> more) {
   for (NewRock& rock : more) all.push_back(std::move(rock));
 }
 
-/// Falling as a whole: what was placed at a time has fallen by g t^2/2 since.
+/// Rocks in free fall: after a time t since it was placed, a rock has fallen by g t^2/2.
 ParticleSnapshot fallen(const std::vector<NewRock>& rocks, const std::vector<double>& born, double time) {
   ParticleSnapshot p = snapshot_of(rocks);
   std::size_t row = 0;
@@ -52,7 +52,7 @@ TEST_CASE("A rate is fed to within half a rock while there is room", "[feed]") {
     if (!feed.wants(time)) continue;
     const ParticleSnapshot present = fallen(all, born, time);
     const std::vector<NewRock> fresh = feed.due(time, {}, present);
-    // Free of overlap with those that fall.
+    // No overlap with the falling rocks.
     for (const NewRock& rock : fresh) {
       for (const NewParticle& n : rock.particles) {
         CHECK(std::hypot(n.position.x, n.position.y) + n.radius <= 0.6);
@@ -75,7 +75,7 @@ TEST_CASE("A rate is fed to within half a rock while there is room", "[feed]") {
 TEST_CASE("Rocks without room wait and are never dropped", "[feed]") {
   const RockLibrary rocks = library();
   FeedPlan plan = rate_plan(0);
-  plan.batch = 2000;  // far more than the entry holds at once
+  plan.batch = 2000;  // far more than fits into the entry region
   plan.start = 0;
   Feed feed(rocks, plan, {});
   const std::vector<NewRock> first = feed.due(0, {}, {});
@@ -92,7 +92,7 @@ TEST_CASE("Rocks without room wait and are never dropped", "[feed]") {
   append(all, feed.due(0.011, {}, snapshot_of(all)));
   CHECK(smallest_gap(all) >= 1e-4 * (1 - 1e-6));
 
-  // Emptied again and again, everything comes in, in order, each id once.
+  // If the entry is emptied repeatedly, all rocks are fed in order, each id once.
   double time = 1;
   for (int k = 0; k < 1000 && feed.wants(time); ++k, time += 0.1) append(all, feed.due(time, {}, {}));
   CHECK(!feed.wants(1e6));
@@ -116,7 +116,7 @@ TEST_CASE("Rocks without room wait and are never dropped", "[feed]") {
   for (std::size_t k = 0; k < all.size(); ++k) CHECK(at_once[k].particles.size() == all[k].particles.size());
 }
 
-TEST_CASE("A feed goes on from its state as if never stopped", "[feed]") {
+TEST_CASE("A feed that continues from its saved state gives the same rocks", "[feed]") {
   const RockLibrary rocks = library();
   Feed whole(rocks, rate_plan(300), {}), first(rocks, rate_plan(300), {});
   for (double time = 0.5; time < 1; time += 0.05) {

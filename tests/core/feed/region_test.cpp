@@ -25,7 +25,7 @@ TEST_CASE("The radius of a liner by height is that of its profile", "[feed]") {
   CHECK(outer.at(4) == Approx(1.819).margin(slice * 0.4));
 }
 
-TEST_CASE("A mesh of a liner has the radius of its profile but for its facets", "[feed]") {
+TEST_CASE("A mesh of a liner has the radius of its profile, except for its facets", "[feed]") {
   const std::vector<Wall> walls = chamber_walls();
   const int sectors = 90;
   const Wall outer_mesh{"concave", revolve(std::get<ProfileShape>(walls[0].shape), sectors), Fixed{}, 0};
@@ -97,7 +97,7 @@ TEST_CASE("Distances to a mesh equal a search through all triangles", "[feed]") 
   CHECK(near > 100);
 }
 
-TEST_CASE("The distance to a triangle is the least of the distances to its points", "[feed]") {
+TEST_CASE("The distance to a triangle is the minimum of the distances to its points", "[feed]") {
   const Vec3d a{0.1, 0, 0.2}, b{1, 0.3, 0}, c{0.2, 0.9, 0.4}, n = cross(b - a, c - a);
   const FlatTriangle triangle{a, b, c, (1 / norm(n)) * n};
   const int cuts = 300;  // a grid of points: the nearest is off by less than the grid's spacing

@@ -57,7 +57,7 @@ TEST_CASE("The mass curve of the rocks fed is that of the size law, within its s
     CHECK(std::abs(share - sizes.passing(size)) < 0.5 / samples + 4 * std::sqrt(variance));
   }
   CHECK(worst < 3.5);  // the largest of 23 correlated normal deviates, p below 0.01
-  CHECK(worst > 0.1);  // chance has been at work
+  CHECK(worst > 0.1);  // the sample is random
 }
 
 TEST_CASE("The numbers of rocks fed pass a Kolmogorov-Smirnov test", "[feed]") {

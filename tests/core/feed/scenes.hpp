@@ -11,7 +11,7 @@ namespace gyro {
 
 constexpr double solid_density = 2600;  // kg/m3
 
-/// A rough ball of spheres on a close-packed lattice. It stands for a rock that its spheres fill to
+/// A rough ball of spheres on a close-packed lattice. It represents a rock that its spheres fill to
 /// 64 %, as templates are filled, so that the lattice cut off at the rim counts as a smaller rock.
 inline RockTemplate ball_rock(double diameter, double ratio) {
   RockTemplate rock;

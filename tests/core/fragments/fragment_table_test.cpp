@@ -51,7 +51,7 @@ TEST_CASE("Fragments whose particles are mixed in the snapshot are separated", "
   CHECK(std::vector<Index>(table.members_of(2).begin(), table.members_of(2).end()) == std::vector<Index>{4});
 }
 
-TEST_CASE("A single particle sieves as the rock of its mass", "[fragments]") {
+TEST_CASE("A single particle has the sieve size of the rock of its mass", "[fragments]") {
   // Spheres that fill a share phi of the rock weigh rho/phi: d phi^(-1/3).
   const double rock_density = 2600, phi = 0.64;
   ParticleSnapshot p;
@@ -60,6 +60,6 @@ TEST_CASE("A single particle sieves as the rock of its mass", "[fragments]") {
   const FragmentTable table = fragment_table(p);
   CHECK(sieve_size(table, 0, p, rock_density) == Approx(d * std::pow(phi, -1.0 / 3)).epsilon(1e-12));
   CHECK(equal_mass_diameter(rock_density * std::acos(-1.0) / 6, rock_density) == Approx(1.0).epsilon(1e-14));
-  // A pair is no finer than its halves.
+  // A pair is not finer than its halves.
   CHECK(sieve_size(table, 1, p, rock_density) == Approx(d * std::pow(phi, -1.0 / 3)).epsilon(1e-12));
 }

@@ -39,7 +39,7 @@ TEST_CASE("A fragment is discharged when all of it is below the plane, and count
   CHECK(product.row(0).singles_share == 0);
   CHECK(product.inside(p) == 1);
 
-  move_down(p, -0.1);  // thrown back up, broken, and down again
+  move_down(p, -0.1);  // it bounces up, breaks, and falls again
   p.fragment = {0, 1, 2};
   update();
   move_down(p, 0.1);
@@ -89,7 +89,7 @@ TEST_CASE("Passing sizes are interpolated between sieves on a logarithmic scale"
   CHECK(!passing_size(sieves, std::vector<double>(sieves.size(), 1.0), 0.8));  // all finer than the finest sieve
 }
 
-TEST_CASE("Rock outside of the concave below its rim has escaped, and is no product", "[product]") {
+TEST_CASE("Rock outside the concave below its rim has escaped and is not counted as product", "[product]") {
   const ConcaveOutline concave({{0.2, 0.3}, {0.1, 0.0}});  // opens upwards from 0.1 to 0.2 m
   ParticleSnapshot p;
   add_fragment(p, block(1, 1, 2, 0.01), 0.01, rock_density, {0, 0, 0.15});      // ids 0, 1: in the chamber
@@ -128,7 +128,7 @@ TEST_CASE("Rock outside of the concave below its rim has escaped, and is no prod
   CHECK(product.removable(fragment_table(p), p, 0).size() == 8);
 }
 
-TEST_CASE("Without a concave all that falls below the plane is product", "[product]") {
+TEST_CASE("Without a concave all rock that falls below the plane is product", "[product]") {
   ParticleSnapshot p;
   add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {5, 0, -1});
   Product product(rock_density);

@@ -40,7 +40,7 @@ std::string all_notes(const RepairedMesh& mesh) {
   return text;
 }
 
-/// Triangles whose middle is nearer to a point than the distance go.
+/// Drops triangles whose centre is nearer to a point than the distance.
 TriangleMesh with_hole(TriangleMesh mesh, const Vec3d& at, double distance) {
   std::erase_if(mesh.triangles, [&](const Vec3<Index>& t) {
     return norm((1.0 / 3) * (mesh.vertices[t.x] + mesh.vertices[t.y] + mesh.vertices[t.z]) - at) < distance;
@@ -64,7 +64,7 @@ TEST_CASE("A clean scan needs no note") {
   CHECK(mass_properties(clean.mesh).volume == Approx(volume).epsilon(1e-9));
 }
 
-TEST_CASE("Corners that do not quite meet are welded") {
+TEST_CASE("Corners that almost coincide are welded") {
   const double distance = GENERATE(0.0, 1e-6, 1e-5, 1e-4);
   const RepairedMesh welded = repaired_solid(soup(scan(), distance));
   CAPTURE(distance, all_notes(welded));
@@ -74,7 +74,7 @@ TEST_CASE("Corners that do not quite meet are welded") {
   if (distance > 0) CHECK_THAT(welded.notes[0], Contains("welded, which closes the surface"));
 }
 
-TEST_CASE("Triangles that face the wrong way are turned") {
+TEST_CASE("Triangles that face the wrong way are flipped") {
   TriangleMesh mixed = scan();
   for (std::size_t k = 0; k < mixed.triangles.size(); k += 3) std::swap(mixed.triangles[k].x, mixed.triangles[k].y);
   const RepairedMesh turned = repaired_solid(mixed);
@@ -82,7 +82,7 @@ TEST_CASE("Triangles that face the wrong way are turned") {
   CHECK_THAT(all_notes(turned), Contains("666 triangles flipped"));
 }
 
-TEST_CASE("Repeated and empty triangles go") {
+TEST_CASE("Repeated and empty triangles are dropped") {
   TriangleMesh mesh = scan();
   for (std::size_t k = 0; k < 50; ++k) {
     mesh.triangles.push_back(mesh.triangles[7 * k]);
@@ -125,7 +125,7 @@ TEST_CASE("Specks beside a rock are dropped") {
   CHECK_THAT(all_notes(cleaned), Contains("2 floating specks"));
 }
 
-TEST_CASE("All at once") {
+TEST_CASE("All faults together are repaired") {
   TriangleMesh mesh = with_hole(scan(), {0, 0.8, 0}, 0.12);
   for (std::size_t k = 0; k < mesh.triangles.size(); k += 5) std::swap(mesh.triangles[k].x, mesh.triangles[k].y);
   mesh.triangles.push_back(mesh.triangles[11]);
@@ -136,7 +136,7 @@ TEST_CASE("All at once") {
   CHECK(repaired.notes.size() == 4);
 }
 
-TEST_CASE("What is beyond repair is refused with the reason") {
+TEST_CASE("Faults that cannot be repaired are refused with the reason") {
   const auto refused = [](const TriangleMesh& mesh, const std::string& reason) {
     CHECK_THROWS_AS(repaired_solid(mesh), BadInput);
     CHECK_THROWS_WITH(repaired_solid(mesh), Contains(reason));
@@ -150,7 +150,7 @@ TEST_CASE("What is beyond repair is refused with the reason") {
   const auto t = finned.triangles[40];
   finned.triangles.push_back({t.x, t.y, static_cast<Index>(finned.vertices.size()) - 1});
   refused(finned, "1 edge with more than two triangles");
-  // A closed band with half a twist has one side; so has every surface that holds it.
+  // A closed band with half a twist has one side; so has every surface that contains it.
   TriangleMesh band;
   for (int k = 0; k < 12; ++k) {
     const double a = k * 3.14159265358979 / 6, half = a / 2;

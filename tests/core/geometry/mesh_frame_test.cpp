@@ -30,7 +30,7 @@ TEST_CASE("A mesh is scaled, then rotated about x, y, z, then shifted", "[geomet
   check_same(framed_point({0, 100, 0}, {.scale = 0.01, .rotate = {right, 0, 0}, .shift = {1, 2, 3}}), {1, 2, 4});
 }
 
-TEST_CASE("A frame of defaults leaves every bit", "[geometry]") {
+TEST_CASE("A frame of defaults changes no bit", "[geometry]") {
   const Vec3d same = framed_point({-0.0, 1.0 / 3, 1e-300}, {});
   CHECK(std::signbit(same.x));
   CHECK(same.y == 1.0 / 3);

@@ -44,14 +44,14 @@ TEST_CASE("Principal axes undo a rotation") {
   CHECK(dot(cross(axes.axes[0], axes.axes[1]), axes.axes[2]) == Approx(1));
 }
 
-TEST_CASE("Edges tell a solid from a surface with faults") {
+TEST_CASE("The edge check distinguishes a solid from a surface with faults") {
   TriangleMesh mesh = block({1, 1, 1});
   CHECK(check_edges(mesh).is_solid());
   SECTION("a hole of one triangle has three open edges") {
     mesh.triangles.pop_back();
     CHECK(check_edges(mesh).open == 3);
   }
-  SECTION("a turned triangle contradicts its three neighbours") {
+  SECTION("a flipped triangle contradicts its three neighbours") {
     std::swap(mesh.triangles[4].x, mesh.triangles[4].y);
     CHECK(check_edges(mesh).contradictory == 3);
     CHECK(orient_outwards(mesh) == 1);
@@ -64,7 +64,7 @@ TEST_CASE("Edges tell a solid from a surface with faults") {
     CHECK(check_edges(mesh).crowded == 1);
     CHECK(check_edges(mesh).open == 2);
   }
-  SECTION("all inside out: all turned") {
+  SECTION("inside out: all triangles are flipped") {
     for (auto& t : mesh.triangles) std::swap(t.x, t.y);
     CHECK(orient_outwards(mesh) == 12);
     CHECK(mass_properties(mesh).volume == Approx(1));
@@ -77,7 +77,7 @@ TEST_CASE("Edges tell a solid from a surface with faults") {
   }
 }
 
-TEST_CASE("Welding joins a soup, also across cells of its grid") {
+TEST_CASE("Welding joins separate triangles, also across cells of its grid") {
   const TriangleMesh mesh = block({1, 1, 1}, {-0.5, -0.5, -0.5});
   TriangleMesh soup;
   for (const auto& t : mesh.triangles) {

@@ -90,7 +90,7 @@ double sphericity_of(const RockShape& rock) {
 
 }  // namespace
 
-TEST_CASE("Axis ratios do what they say") {
+TEST_CASE("Shapes follow the axis ratios of the style") {
   const ShapeStyle flat{.flatness = {0.3, 0.4}}, rod{.elongation = {0.3, 0.4}};
   CHECK(mean_of(flat, flatness_of) == Approx(0.35).margin(0.04));
   CHECK(mean_of(flat, elongation_of) == Approx(0.8).margin(0.05));
@@ -106,7 +106,7 @@ TEST_CASE("Angular rocks have fewer faces and are less like spheres") {
   CHECK(mean_of(middle, sphericity_of) > mean_of(sharp, sphericity_of) + 0.05);
 }
 
-TEST_CASE("Rough rocks are closed, deviate as asked and keep their proportions") {
+TEST_CASE("Rough rocks are closed, deviate as specified and keep their proportions") {
   for (int k = 0; k < 8; ++k) {
     const RockShape rough = procedural_shape(3, k, {.roughness = 0.05}), smooth = procedural_shape(3, k);
     CHECK(check_edges(rough.surface).is_solid());
@@ -122,7 +122,7 @@ TEST_CASE("Rough rocks are closed, deviate as asked and keep their proportions")
         procedural_shape(3, 1, {.roughness = 0.05}).surface.vertices[9].x);
 }
 
-TEST_CASE("The noise of rough rocks has the deviation it says") {
+TEST_CASE("The noise of rough rocks has the specified deviation") {
   const TriangleMesh sphere = roughened(ellipsoid(1, 1, 1, 3000), 0, 1, 1, 0);
   double sum = 0, squares = 0, count = 0;
   for (int k = 0; k < 200; ++k) {
@@ -152,7 +152,7 @@ TEST_CASE("A cylinder has its proportions and lies along its principal axes") {
   CHECK(rock.inertia.z == Approx(slenderness > 1 ? across : about_axis).epsilon(2e-3));
 }
 
-TEST_CASE("A flattened disc has two flats that face y, as wide as the loading angle says") {
+TEST_CASE("A flattened disc has two flats that face y, with the width of the loading angle") {
   const double angle = 0.5, slenderness = 0.5;
   const RockShape rock = cylinder_shape(slenderness, angle);
   CHECK(check_edges(rock.surface).is_solid());
@@ -170,7 +170,7 @@ TEST_CASE("A flattened disc has two flats that face y, as wide as the loading an
   CHECK(width == Approx(diameter * std::sin(angle / 2)).epsilon(0.03));  // the circle's sagitta, 1/800, over tan(a/2)
 }
 
-TEST_CASE("A coarse polyhedron stands for a scan") {
+TEST_CASE("A coarse polyhedron approximates a scan") {
   TriangleMesh scan = ellipsoid(1, 0.8, 0.6, 3000);
   const TriangleMesh coarse = coarse_polyhedron(scan, 60), fine = coarse_polyhedron(scan, 5000);
   CHECK(coarse.vertices.size() <= 60);

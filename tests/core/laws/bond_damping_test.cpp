@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Damping of a bond: each mode alone decays as a linear oscillator at the asked fraction of critical.
+// Damping of a bond: each mode alone decays as a linear oscillator at the given fraction of critical.
 #include "tests/catch.hpp"
 #include "tests/core/laws/bonds.hpp"
 

@@ -90,7 +90,7 @@ TEST_CASE("A sheared bond under pressure fails at the load of Mohr and Coulomb",
   CHECK(push == Approx(-axial * pi * bond_radius * bond_radius).epsilon(1e-9).margin(1e-6));
 }
 
-TEST_CASE("Pressure adds as much to the torque of twist at failure", "[laws][bond]") {
+TEST_CASE("Pressure also increases the twisting torque at failure", "[laws][bond]") {
   // tau = M Rb/J: 24 and 29.7735 MPa with Rb^3 pi/2 = 1.963495e-7 m3.
   const double axial = GENERATE(0.0, -10e6), torque = axial == 0 ? 4.712389 : 5.846013;
   Ends e;
@@ -100,7 +100,7 @@ TEST_CASE("Pressure adds as much to the torque of twist at failure", "[laws][bon
   CHECK(load_at(tan_30, strain_of(e)).shear_ratio == Approx(1).epsilon(2e-5));
 }
 
-TEST_CASE("Tension and bending do not change the shear strength, and friction not the tensile strength",
+TEST_CASE("Tension and bending do not change the shear strength, and friction does not change the tensile strength",
           "[laws][bond]") {
   const double axial = GENERATE(0.0, 1e6, 20e6);
   const BondStrain<double> pulled = strain_at(stretch_of(axial), 1e-3);

@@ -50,7 +50,7 @@ TEST_CASE("A sheared bond loads each end with half the couple", "[laws][bond]") 
   const BondLoad<double> load = load_of(sheared(1e-6));
   CHECK(load.torque_i.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
   CHECK(load.torque_j.z == Approx(0.5 * shear_rate * 1e-6 * bond_length).epsilon(1e-6));
-  // The section sits at 0.3 of the way: the nearer end has the shorter lever.
+  // The section is at 0.3 of the length: the nearer end has the shorter lever.
   const BondLoad<double> uneven = load_of(sheared(1e-6), paper_law(), 0.3);
   CHECK(uneven.torque_i.z / uneven.torque_j.z == Approx(0.3 / 0.7).epsilon(1e-9));
 }

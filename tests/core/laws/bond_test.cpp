@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bond law as mechanics: loads from energy, momentum, frames.
+// Mechanics of the bond law: loads from energy, momentum, frames.
 #include "tests/catch.hpp"
 #include "tests/core/laws/bonds.hpp"
 
@@ -63,7 +63,7 @@ TEST_CASE("The loads of a bond are the gradient of its energy at any strain", "[
   }
 }
 
-TEST_CASE("A bond gives and takes no angular momentum", "[laws][bond]") {
+TEST_CASE("A bond conserves angular momentum", "[laws][bond]") {
   const double arm = GENERATE(0.5, 0.3, 0.85);
   BondConstants<double> law = paper_law();
   law.bond.damping = 0.1;
@@ -80,7 +80,7 @@ TEST_CASE("A bond gives and takes no angular momentum", "[laws][bond]") {
   }
 }
 
-TEST_CASE("A rigid rotation changes no load of a bond", "[laws][bond]") {
+TEST_CASE("A rigid rotation does not change the loads of a bond", "[laws][bond]") {
   const double arm = GENERATE(0.5, 0.3);
   BondConstants<double> law = paper_law();
   law.bond.damping = 0.1;
@@ -105,7 +105,7 @@ TEST_CASE("A rigid rotation changes no load of a bond", "[laws][bond]") {
   }
 }
 
-TEST_CASE("A rigid motion loads no bond and is not damped", "[laws][bond]") {
+TEST_CASE("A rigid motion does not load a bond and is not damped", "[laws][bond]") {
   BondConstants<double> law = paper_law();
   law.bond.damping = 0.3;
   for (std::uint64_t k = 0; k < 20; ++k) {

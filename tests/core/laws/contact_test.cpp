@@ -16,7 +16,7 @@ constexpr double youngs = 8.6e8, shear = 1.7e8, radius = 0.005, mass = 0.002;
 ContactConstants<double> elastic_law() {
   return {youngs, shear, 0, 0.5, 0, 1e-6, 1};
 }
-/// The law of a case that names none.
+/// The law of a case that does not name one.
 ContactLoad<double> hertz_mindlin(const ContactConstants<double>& law, const ContactMotion<double>& c,
                                   const ContactHistory<double>& history) {
   ExtraHistory<double> none{};
@@ -29,7 +29,7 @@ double hertz(double overlap) {
   return 4.0 / 3 * youngs * std::sqrt(radius) * std::pow(overlap, 1.5);
 }
 
-/// Loads of a contact that was the same a step ago, but for what its spring remembers.
+/// Loads of a contact that was the same a step ago, except for the history of its spring.
 ContactLoad<double> lasting(const ContactConstants<double>& law, const ContactMotion<double>& c,
                             const Vec3d& elastic = {0, 0, 0}, double overlap = 0) {
   ContactHistory<double> history{elastic, overlap, {0, 0, 0}};
@@ -79,7 +79,7 @@ TEST_CASE("Normal force is Hertz's plus damping, and never pulls", "[laws][conta
   }
 }
 
-TEST_CASE("The work of the damping force is half that at the begin of the step and half that at its end",
+TEST_CASE("The work of the damping force is half that at the beginning of the step and half that at its end",
           "[laws][contact]") {
   ContactConstants<double> law = elastic_law();
   law.damping = 0.6;
@@ -166,7 +166,8 @@ TEST_CASE("Damping takes energy from any contact", "[laws][contact]") {
   }
 }
 
-TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest as much as stops spin and friction", "[laws][contact]") {
+TEST_CASE("Rolling resistance is mu_r R* Fn, and near rest the torque that balances rotation and friction",
+          "[laws][contact]") {
   ContactConstants<double> law = elastic_law();
   law.rolling = 0.05;
   ContactMotion<double> c = resting(1e-5);

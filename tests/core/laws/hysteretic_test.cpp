@@ -92,7 +92,7 @@ TEST_CASE("Hysteretic loading equals Hertz's force at an overlap of a tenth of R
   CHECK(press.force == Approx(4.0 / 3 * youngs * std::sqrt(radius) * std::pow(overlap, 1.5)).epsilon(1e-12));
 }
 
-TEST_CASE("Hysteresis loses what is put in and not stored, and never gives energy", "[laws][contact]") {
+TEST_CASE("Hysteresis dissipates the work that is not stored, and never adds energy", "[laws][contact]") {
   const double e = GENERATE(0.2, 0.5, 0.9, 1.0);
   Press press{law_with(e, 1e-6)};
   double from = 0;

@@ -60,7 +60,7 @@ TEST_CASE("Slip of a broken pressed bond dissipates exactly the energy that it s
   for (std::uint64_t k = 0; k < 50; ++k) {
     const BondStrain<double> strain = strain_of(pressed(k));
     const PressedLoad<double> u = pressed_load(paper_law(), paper_section(), strain, at_rest());
-    // Energy of the intact bond, whose spring is the same but for the cosine of the shear angle.
+    // Energy of the intact bond, whose spring is the same except for the cosine of the shear angle.
     const double before = 0.5 * normal_rate * strain.stretch * strain.stretch +
                           0.5 * shear_rate * bond_length * bond_length * norm2(strain.shear);
     CHECK(u.load.elastic + u.slip_work == Approx(before).epsilon(1e-5));
@@ -91,7 +91,7 @@ TEST_CASE("Sliding dissipates friction times path, whatever the step", "[laws][b
       CHECK(work ==
             Approx(slipped + u.load.elastic - 0.5 * normal_rate * strain.stretch * strain.stretch).epsilon(2e-3));
   }
-  const double stick = 0.5 * push / shear_rate;  // way before slip
+  const double stick = 0.5 * push / shear_rate;  // displacement before slip
   CHECK(slipped == Approx(0.5 * push * (way - stick)).epsilon(0.01));
 
   const BondEnds<double> apart{{bond_length + 1e-9, way, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
@@ -100,7 +100,7 @@ TEST_CASE("Sliding dissipates friction times path, whatever the step", "[laws][b
   CHECK(off.load.elastic == 0);
 }
 
-TEST_CASE("Ends that slide past each other without pressure dissipate nothing", "[laws][bond]") {
+TEST_CASE("Ends that slide past each other without pressure dissipate no energy", "[laws][bond]") {
   // At 1.1 L0, as where spheres were packed with an overlap. The spring at L0 would book -0.09 of `scale` a step.
   BondConstants<double> law = paper_law();
   const double speed = 1, dt = 1e-6, length = 1.1 * bond_length, scale = shear_rate * dt * dt * speed * speed;
@@ -116,7 +116,7 @@ TEST_CASE("Ends that slide past each other without pressure dissipate nothing", 
   }
 }
 
-TEST_CASE("The slipped axis shows the shear that friction left", "[laws][bond]") {
+TEST_CASE("The slipped axis has the shear that remains after slip", "[laws][bond]") {
   for (std::uint64_t k = 0; k < 50; ++k) {
     const double arm = 0.5 + 0.3 * random_number(k, 70), keep = 0.5 + 0.5 * random_number(k, 71);
     const Ends ends = pressed(k);

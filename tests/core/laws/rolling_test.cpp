@@ -56,7 +56,7 @@ TEST_CASE("The rolling spring pulls back by kr times the angle, up to its limit"
   CHECK(std::abs(roll.lost) < 1e-12 * roll.work);
   roll.by(3 * limit / spring, 1000);
   CHECK(-roll.extra.roll_elastic.x == Approx(limit).epsilon(1e-12));
-  CHECK(roll.extra.roll_drag.x == 0);  // no dashpot at the limit
+  CHECK(roll.extra.roll_drag.x == 0);  // the dashpot is off at the limit
   CHECK(-roll.couple == Approx(limit).epsilon(1e-12));
   roll.by(-0.25 * limit / spring, 1000);
   CHECK(-roll.extra.roll_elastic.x == Approx(0.75 * limit).epsilon(1e-10));
@@ -73,7 +73,7 @@ TEST_CASE("Work against the rolling spring is stored or lost", "[laws][contact]"
   }
 }
 
-TEST_CASE("A rolling spring that is unloaded gives back no more than it stored", "[laws][contact]") {
+TEST_CASE("A rolling spring that is unloaded returns at most the stored energy", "[laws][contact]") {
   Roll roll;
   roll.by(0.9 * limit / spring, 500);
   roll.by(0, 1, 0.25 * overlap);  // half the stiffness, an eighth of the limit

@@ -35,6 +35,6 @@ TEST_CASE("The regression line minimises the sum of squared residuals", "[math]"
   for (const double change : {-1e-3, 1e-3}) CHECK(squares(slope + change) > squares(slope));
 }
 
-TEST_CASE("Points above each other have no regression slope", "[math]") {
+TEST_CASE("Points with equal abscissae have no regression slope", "[math]") {
   CHECK_FALSE(regression_slope(std::vector<double>{2, 2, 2}, std::vector<double>{1, 2, 3}));
 }

@@ -15,7 +15,7 @@ struct Spheres {
   std::vector<double> radii;
 };
 
-/// Spheres of mixed sizes, strewn so densely that many overlap.
+/// Spheres of mixed sizes at random positions, so dense that many overlap.
 Spheres strewn(int n) {
   Spheres s;
   for (int k = 0; k < n; ++k) {
@@ -39,7 +39,7 @@ TEST_CASE("A bond needs a gap below the fraction of the smaller radius") {
   CHECK(make_bonds({{0, 0, 0}, {0, 1.52, 0}}, radii, {0.1, AbsoluteBondRadius{0.7}})[0].radius == 0.7);
 }
 
-TEST_CASE("A bond by contact area has a section that goes as the square of the harmonic mean radius") {
+TEST_CASE("A bond by contact area has a section proportional to the square of the harmonic mean radius") {
   const BondRule rule{0.1, ContactAreaBond{0.3}};
   const auto section = [&](double ri, double rj) {
     const double b = make_bonds({{0, 0, 0}, {ri + rj, 0, 0}}, {ri, rj}, rule).at(0).radius;
@@ -48,11 +48,11 @@ TEST_CASE("A bond by contact area has a section that goes as the square of the h
   CHECK(section(1, 1) == Approx(0.3));
   CHECK(section(3, 3) == Approx(0.3 * 9));
   CHECK(section(1, 3) == Approx(0.3 * 1.5 * 1.5));
-  CHECK(section(1e-3, 1e3) == Approx(0.3 * 4e-6));  // the smaller sphere decides
+  CHECK(section(1e-3, 1e3) == Approx(0.3 * 4e-6));  // the smaller sphere determines it
   CHECK_THROWS_AS(check_rule({0.1, ContactAreaBond{0}}), BadInput);
 }
 
-TEST_CASE("The sweep finds the bonds that all pairs give") {
+TEST_CASE("The sweep finds the same bonds as a test of all pairs") {
   const Spheres s = strewn(300);
   const BondRule rule{0.3, RelativeBondRadius{1}};
   std::vector<std::pair<Index, Index>> expected, found;
@@ -67,7 +67,7 @@ TEST_CASE("The sweep finds the bonds that all pairs give") {
   CHECK(found == expected);
 }
 
-TEST_CASE("Inside a colour no two bonds share a particle") {
+TEST_CASE("Two bonds of one colour share no particle") {
   const Spheres s = strewn(300);
   std::vector<TemplateBond> bonds = make_bonds(s.centres, s.radii, {0.3, RelativeBondRadius{1}});
   const std::size_t count = bonds.size();
@@ -90,7 +90,7 @@ TEST_CASE("Inside a colour no two bonds share a particle") {
   }
 }
 
-TEST_CASE("The largest piece is found, and no bonds is no error") {
+TEST_CASE("The largest piece is found, and a set without bonds is allowed") {
   const auto bond = [](Index i, Index j) { return TemplateBond{i, j, 1, 1}; };
   CHECK(largest_piece({bond(0, 1), bond(2, 4), bond(4, 5)}, 6) == std::vector<Index>{2, 4, 5});
   CHECK(largest_piece({}, 3) == std::vector<Index>{0});

@@ -76,7 +76,7 @@ TEST_CASE("A smooth fill touches the faces of its shape and crosses none") {
   CHECK(sphere_volume(f.radii) > 0.5);
 }
 
-TEST_CASE("A smooth fill is another one with another seed, and needs a convex shape") {
+TEST_CASE("A smooth fill depends on the seed and needs a convex shape") {
   const Mould mould(cylinder_shape(0.5));
   const MonoFill smooth{5, MonoFill::Surface::smooth};
   const Filling a = fill(mould, smooth, {}, {1, 1, 0}), same = fill(mould, smooth, {}, {1, 1, 0});
@@ -124,13 +124,13 @@ TEST_CASE("Ratios and gaps out of range are refused") {
   CHECK_THROWS_AS(fill(mould, MonoFill{NAN}, {}, {1, 1, 0}), BadInput);
 }
 
-TEST_CASE("A plate thinner than its particles is refused: it would crumble") {
+TEST_CASE("A plate thinner than its particles is refused, because they do not form one piece") {
   const Mould plate(make_shape(block({10, 10, 0.1})));
   CHECK_THROWS_WITH(fill(plate, MonoFill{4}, {}, {1, 1, 0}), Catch::Matchers::Contains("do not hold together"));
   CHECK_NOTHROW(fill(plate, MonoFill{40}, {}, {1, 1, 0}));
 }
 
-TEST_CASE("Inertia of two spheres is the dumb-bell's") {
+TEST_CASE("The inertia of two spheres is that of a dumb-bell") {
   const double m = 4 * std::numbers::pi / 3;
   const auto t = sphere_inertia({{1, 5, 5}, {4, 5, 5}}, {1, 1}, 1);
   CHECK(t[0] == Approx(2 * 0.4 * m));

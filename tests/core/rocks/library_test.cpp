@@ -24,7 +24,7 @@ GivenShape given(const std::string& name, const TriangleMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("A library has the sizes, masses and frames it promises") {
+TEST_CASE("A library has the specified sizes, masses and frames") {
   LibraryRecipe recipe = small_recipe();
   recipe.fill = MonoFill{6};
   recipe.samples = 8;
@@ -66,7 +66,7 @@ TEST_CASE("A library has the sizes, masses and frames it promises") {
   }
 }
 
-TEST_CASE("Plain density weighs what the spheres weigh") {
+TEST_CASE("Without compensation a rock has the mass of its spheres") {
   LibraryRecipe recipe = small_recipe();
   recipe.compensated = false;
   for (const RockTemplate& rock : make_library(recipe).rocks) {
@@ -83,7 +83,7 @@ TEST_CASE("The library is the same for any number of threads") {
   for (std::size_t k = 0; k < 5; ++k) CHECK(same_rock(one.rocks[k], three.rocks[k]));
 }
 
-TEST_CASE("Rocks of given shapes, also of one that is not convex") {
+TEST_CASE("Rocks are made of given shapes, also of one that is not convex") {
   LibraryRecipe recipe = small_recipe();
   recipe.shapes = GivenShapes{{given("corner", corner_piece()), given("brick", block({1, 1, 2}))}};
   recipe.samples = 3;
@@ -133,13 +133,13 @@ TEST_CASE("The text of a recipe names everything that a library depends on, shap
   CHECK(text_of({"a", "content", never}) != text_of({"b", "content", never}));
 }
 
-TEST_CASE("An error in the parallel part arrives") {
+TEST_CASE("An error in the parallel part is thrown to the caller") {
   LibraryRecipe recipe = small_recipe();
   recipe.shapes = GivenShapes{{given("plate", block({10, 10, 0.1}))}};
   CHECK_THROWS_AS(make_library(recipe), BadInput);
 }
 
-TEST_CASE("An error of a given shape arrives") {
+TEST_CASE("An error of a given shape is thrown to the caller") {
   LibraryRecipe recipe = small_recipe();
   recipe.shapes = GivenShapes{{{"lost", "lost", []() -> RepairedMesh { throw BadInput("no such shape"); }}}};
   CHECK_THROWS_WITH(make_library(recipe), Contains("no such shape"));

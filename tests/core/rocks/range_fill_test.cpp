@@ -86,7 +86,7 @@ TEST_CASE("Rocks filled with a range of sizes: one piece, exact mass, small erro
   }
 }
 
-TEST_CASE("Rocks of like size share a packing, a large one has the whole range") {
+TEST_CASE("Rocks of similar size share a packing, and a large one has the whole range") {
   CHECK(grading_of(range, 0.5) == Grading{45.0 / 8, 0.8});
   CHECK(grading_of(range, 0.136) == Grading{45.0 / 8, 0.8});
   CHECK(grading_of(range, 0.120) == grading_of(range, 0.116));

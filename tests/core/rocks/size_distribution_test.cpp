@@ -7,7 +7,7 @@
 
 using namespace gyro;
 
-TEST_CASE("A passing table is straight between its sieves") {
+TEST_CASE("A passing table is linear between its sieves") {
   const SizeDistribution sizes(PassingTable{{{0.05, 0}, {0.1, 0.2}, {0.2, 0.2}, {0.5, 1}}});
   CHECK(sizes.passing(0.01) == 0);
   CHECK(sizes.passing(0.075) == Approx(0.1));
@@ -20,7 +20,7 @@ TEST_CASE("A passing table is straight between its sieves") {
   CHECK(sizes.largest() == 0.5);
 }
 
-TEST_CASE("Nothing passes the sieves below the last zero of a table") {
+TEST_CASE("No rock passes the sieves up to the last zero of a table") {
   const SizeDistribution sizes(PassingTable{{{0.01, 0}, {0.05, 0}, {0.1, 1}}});
   CHECK(sizes.smallest() == 0.05);
 }
@@ -31,7 +31,7 @@ TEST_CASE("Rosin-Rammler without effective cut-offs passes 63.2 % at x63 and 80 
   CHECK(sizes.size_at(0.8) == Approx(0.1 * std::pow(std::log(5.0), 1 / 1.2)).epsilon(1e-6));
 }
 
-TEST_CASE("Cut distributions are scaled to run from 0 to 1, and quantile and passing undo each other") {
+TEST_CASE("Cut distributions are scaled to run from 0 to 1, and quantile and passing are inverse functions") {
   const SizeLaw law =
       GENERATE(SizeLaw{RosinRammler{0.1, 0.9, 0.02, 0.3}}, SizeLaw{GatesGaudinSchuhmann{0.5, 0.7, 0.05}},
                SizeLaw{PassingTable{{{0.02, 0}, {0.1, 0.7}, {0.4, 1}}}});
@@ -47,7 +47,7 @@ TEST_CASE("Gates-Gaudin-Schuhmann is a power law") {
   CHECK(sizes.passing(0.25) == Approx(std::pow(0.5, 0.7)).epsilon(1e-6));
 }
 
-TEST_CASE("The vendor's feed passes what brochures say") {
+TEST_CASE("The vendor's feed has the passing shares of the brochures") {
   const SizeDistribution sizes(vendor_feed(1.575, 0.05));
   CHECK(sizes.largest() == Approx(0.8 * 1.575));
   CHECK(sizes.f80() == Approx(0.6 * 1.575));
@@ -58,7 +58,7 @@ TEST_CASE("The vendor's feed passes what brochures say") {
   CHECK_THROWS_AS(vendor_feed(NAN, 0.1), BadInput);
 }
 
-TEST_CASE("Numbers that make no distribution are refused") {
+TEST_CASE("Numbers that do not define a distribution are refused") {
   const SizeLaw law = GENERATE(
       SizeLaw{PassingTable{}}, SizeLaw{PassingTable{{{0.1, 0}}}}, SizeLaw{PassingTable{{{0.1, 0.1}, {0.2, 1}}}},
       SizeLaw{PassingTable{{{0.1, 0}, {0.2, 0.9}}}}, SizeLaw{PassingTable{{{0.2, 0}, {0.1, 1}}}},

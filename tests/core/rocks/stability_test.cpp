@@ -94,7 +94,7 @@ TEST_CASE("Damping lowers a single mode's limit as (2/w)(sqrt(1 + xi^2) - xi)") 
   CHECK(critical_step(pair(r, b), stretch, no_bed) == Approx(undamped * (std::sqrt(1 + xi * xi) - xi)).epsilon(1e-4));
 }
 
-TEST_CASE("Moving and turning as a whole stretches no bond") {
+TEST_CASE("Translation and rotation as a whole do not stretch bonds") {
   const RockTemplate rock =
       spheres({{0, 0, 0}, {0.02, 0.005, 0}, {0.01, 0.02, 0.012}}, {0.01, 0.012, 0.013}, {0.5, RelativeBondRadius{0.5}});
   REQUIRE(rock.bonds.size() == 3);
@@ -121,7 +121,7 @@ TEST_CASE("At the critical step the largest eigenvalue is 4, by a dense solver")
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(map, Eigen::EigenvaluesOnly);
   CHECK(solver.eigenvalues().maxCoeff() == Approx(4).epsilon(3e-4));
   CHECK(gershgorin_step(rock, bonds_with(damping), bed) <= dt);
-  CHECK(gershgorin_step(rock, bonds_with(damping), bed) > 0.4 * dt);  // row sums count double where damping rules
+  CHECK(gershgorin_step(rock, bonds_with(damping), bed) > 0.4 * dt);  // row sums count damping twice
   CHECK(gershgorin_step(rock, bonds_with(0), no_bed) > 0.55 * critical_step(rock, bonds_with(0), no_bed));
 }
 
@@ -174,7 +174,7 @@ TEST_CASE("Damping of each bond lowers a rock's limit more than a pair's") {
 }
 
 TEST_CASE("A small grain bonded to twenty large ones sets the limit") {
-  // Large grains all round a small one; they overlap each other and are bonded to it alone.
+  // Large grains around a small one; they overlap each other and are bonded only to it.
   std::vector<Vec3d> centres{{0, 0, 0}};
   std::vector<double> radii{0.004};
   for (int k = 0; k < 20; ++k) {
@@ -203,7 +203,7 @@ TEST_CASE("A loose particle has the limit of its contacts, and a bed slows bonde
   const double dt = loose_critical_step(r, rho, damped);
   CHECK(dt * dt * stiffness + 2 * dt * damping == Approx(4).epsilon(1e-12));
   CHECK(std::isinf(loose_critical_step(r, rho, no_bed)));
-  // Bonds all but gone: the bed alone is left.
+  // With almost no bond stiffness only the bed remains.
   BondParameters weak = bonds_with(0);
   weak.normal_stiffness = weak.shear_stiffness = 1;
   CHECK(critical_step(pair(r, 0.005), weak, damped) == Approx(dt).epsilon(1e-4));

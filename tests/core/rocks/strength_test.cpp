@@ -28,7 +28,7 @@ TEST_CASE("The normal quantile inverts the distribution function to rounding") {
   CHECK(normal_quantile(0.975) == Approx(1.959963984540054).epsilon(1e-14));
 }
 
-TEST_CASE("A scatter that is no distribution is refused") {
+TEST_CASE("A scatter that does not define a distribution is refused") {
   CHECK_NOTHROW(check_scatter(TruncatedNormal{1, 0.2, 0.4, 1.6}));
   for (const TruncatedNormal& s :
        {TruncatedNormal{1, -0.1, 0.4, 1.6}, TruncatedNormal{1, 0.1, 1.6, 0.4}, TruncatedNormal{1, 0.1, -0.1, 1.6},
@@ -39,7 +39,7 @@ TEST_CASE("A scatter that is no distribution is refused") {
 
 TEST_CASE("The paper's literal scatter is a standard normal about 1, redrawn outside the range") {
   const StrengthScatter scatter = paper_literal(0.4, 1.6);
-  // Rejection, as one would program equation 8; the same distribution by another way.
+  // Rejection, as equation 8 suggests; the same distribution by another method.
   std::vector<double> redrawn, drawn;
   for (std::uint32_t k = 0; redrawn.size() < 100000; ++k) {
     const double factor = 1 + normal_quantile(uniform(7, Stream::strength, k, 0));

@@ -15,7 +15,7 @@ std::vector<Index> labels(const Graph& g) {
   return fragment_labels(g.particles, g.i, g.j);
 }
 
-/// Rounds of hooking that a graph needs, counted from outside.
+/// Number of rounds of hooking that a graph needs.
 int hook_rounds(const Graph& g) {
   struct Flag {
     Index value = 0;
@@ -46,7 +46,7 @@ TEST_CASE("Rounds of hooking grow as the logarithm of a chain", "[fragments]") {
   SECTION("numbered at random") {
     order = shuffled(n);
   }
-  SECTION("low and high numbers in turn") {
+  SECTION("low and high numbers alternate") {
     order = from_both_ends(n);
   }
   const Graph g = chain_of(order);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Sum of weight x overlap^1.5 x normal: the elastic force but for its constant.
+/// Sum of weight x overlap^1.5 x normal: the elastic force except for its constant.
 Vec3d push(const WallTouches& touches) {
   Vec3d sum{0, 0, 0};
   for (int i = 0; i < touches.count; ++i)

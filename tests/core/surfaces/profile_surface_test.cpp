@@ -84,7 +84,7 @@ TEST_CASE("A profile is touched on its axis and at the tip of a cone") {
   CHECK(std::isfinite(ring.touch[0].normal.x));
 }
 
-TEST_CASE("M3: round a convex edge the normal turns, with one contact and a continuous gap") {
+TEST_CASE("M3: around a convex edge the normal rotates, with one contact and a continuous gap") {
   const ProfileSurface edge({{{0, 0}, {1, 0}, {1, -1}}});  // flat top, rock above and outside
   double last = 0;
   bool first = true;

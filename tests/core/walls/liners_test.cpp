@@ -51,7 +51,7 @@ TEST_CASE("liners: the closed side setting is met and the open side follows") {
   const Liners liners = make_liners(table, setting);
   const LinerReport report = measure(liners, speed, 9.81);
   CHECK(std::abs(report.closed_side_setting - 0.120) < 1e-6);
-  // Twice the eccentricity, but for the tilt: it lifts the mantle's lip by e0 R / Lp = 5 mm on the closed side
+  // Twice the eccentricity, except for the tilt: it lifts the mantle's lip by e0 R / Lp = 5 mm on the closed side
   // and lowers it as much on the open one.
   CHECK(report.open_side_setting == Approx(0.1634).margin(1e-3));
   CHECK(report.throw_at_discharge == Approx(2 * 0.0217).margin(1e-3));
@@ -164,7 +164,7 @@ TEST_CASE("liners: the mesh of the mantle is closed, outward, and has its volume
   CHECK(static_cast<long>(mesh.vertices.size()) - 3 * f / 2 + f == 2);
 }
 
-TEST_CASE("liners that are none are refused") {
+TEST_CASE("liners: rows that do not form a chamber are refused") {
   CHECK_THROWS_AS(make_liners(std::vector<LinerRow>{{0, 1, 2}}, setting), BadInput);
   CHECK_THROWS_AS(make_liners(std::vector<LinerRow>{{0, 1, 0.9}, {1, 0.5, 2}}, setting), BadInput);
   CHECK_THROWS_AS(make_liners(std::vector<LinerRow>{{0, 1, 2}, {0, 0.5, 2}}, setting), BadInput);

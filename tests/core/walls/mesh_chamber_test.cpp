@@ -38,7 +38,7 @@ MeshLiners meshed(const Liners& liners, int sectors) {
 
 }  // namespace
 
-TEST_CASE("A meshed profile is reported as the profile itself", "[walls][chamber]") {
+TEST_CASE("The report of a meshed profile equals that of the profile", "[walls][chamber]") {
   const int sectors = 240;
   const Liners liners = profile();
   const LinerReport exact = measure(liners, speed, gravity);
@@ -66,8 +66,8 @@ TEST_CASE("A meshed profile is reported as the profile itself", "[walls][chamber
 }
 
 // A concave moved sideways by s is nearer to the mantle by s on one side: settings differ by 2 s around the ring,
-// while the chamber's volume stays, since the area between two circles knows nothing of their centres.
-TEST_CASE("A concave beside the axis is measured as it stands", "[walls][chamber]") {
+// while the chamber's volume stays, because the area between two circles does not depend on their centres.
+TEST_CASE("A concave beside the axis is measured in its position", "[walls][chamber]") {
   const double shift = 0.010;
   const Liners liners = profile();
   MeshLiners meshes = meshed(liners, 192);
@@ -105,7 +105,7 @@ TEST_CASE("An oval concave has its own volume and sides", "[walls][chamber]") {
   CHECK(report.volume == Approx(exact.volume).epsilon(1e-3));
 }
 
-TEST_CASE("Holes in a liner are bridged and told", "[walls][chamber]") {
+TEST_CASE("Holes in a liner are bridged and reported", "[walls][chamber]") {
   const Liners liners = profile();
   MeshLiners meshes = meshed(liners, 192);
   const MeshReport whole = measure(meshes, speed, gravity);
@@ -139,7 +139,7 @@ TEST_CASE("A radial section takes the side that faces the rock", "[walls][chambe
   }
 }
 
-TEST_CASE("Meshes that make no chamber are refused", "[walls][chamber]") {
+TEST_CASE("Meshes that do not form a chamber are refused", "[walls][chamber]") {
   const Liners liners = profile();
   MeshLiners meshes = meshed(liners, 48);
   CHECK_THROWS_AS(measure(meshes, 0, gravity), BadInput);

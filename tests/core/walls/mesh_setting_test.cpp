@@ -20,7 +20,7 @@ const std::vector<LinerRow> rows{{0, .953, 1.094},   {.1, .915, 1.084},  {.2, .8
 
 }  // namespace
 
-TEST_CASE("Setting measured on meshes by turning the eccentric is the asked one", "[walls][setting]") {
+TEST_CASE("The setting measured on meshes over a gyration is the requested one", "[walls][setting]") {
   const auto [sectors, asked] = GENERATE(table<int, double>({{240, 0.120}, {360, 0.150}}));
   const Liners liners = make_liners(rows, {asked, 0.0217, 4.2});
   const MeshGap gap(revolve(liners.mantle, sectors), revolve(liners.concave, sectors), liners.motion);
@@ -30,7 +30,7 @@ TEST_CASE("Setting measured on meshes by turning the eccentric is the asked one"
   CHECK(std::abs(setting.open - side_setting(liners, liners.motion.lift, false)) < 1e-4);
 }
 
-TEST_CASE("A mesh mantle is lifted to the asked setting, wherever it was drawn", "[walls][setting]") {
+TEST_CASE("A mesh mantle is lifted to the requested setting from any drawn height", "[walls][setting]") {
   const Liners liners = make_liners(rows, {0.120, 0.0217, 4.2});
   const double drawn_at = GENERATE(-0.05, 0.03);
   TriangleMesh mantle = revolve(liners.mantle, 240);
@@ -104,7 +104,7 @@ TEST_CASE("Liners drawn as thick bodies are set as those drawn open, in about th
     return std::pair(lift, gap.measure(lift));
   };
   double quickest_open = 1e300, quickest_thick = 1e300;
-  for (int attempt = 0; attempt < 5; ++attempt) {  // others may use the machine
+  for (int attempt = 0; attempt < 5; ++attempt) {  // other programs may use the machine
     const double begin = processor_seconds();
     const auto [open_lift, open] = set(mantle, concave);
     const double middle = processor_seconds();

@@ -30,7 +30,7 @@ TEST_CASE("Cells of an unrolled cylinder have equal areas, also where triangles 
   for (const double area : map.cell_area()) CHECK(area == Approx(whole / 96).epsilon(0.05));
 }
 
-TEST_CASE("A push is mapped where it acts, with its normal part", "[walls][surface-map]") {
+TEST_CASE("An impulse is mapped where it acts, with its normal component", "[walls][surface-map]") {
   SurfaceMap map(cylinder(240), 4, 8);
   const double azimuth = GENERATE(0.1, 2.0, -0.5), z = GENERATE(0.3, 1.9);
   const Vec3d outward{std::cos(azimuth), std::sin(azimuth), 0};
@@ -42,7 +42,7 @@ TEST_CASE("A push is mapped where it acts, with its normal part", "[walls][surfa
   CHECK(cells.impulse[cell] == Approx(3).epsilon(1e-3));  // a facet's normal is up to 0.75 degrees off
   CHECK(cells.work[cell] == 0.25);
   CHECK(sum(cells.impulse) == cells.impulse[cell]);
-  CHECK(sum(map.take_cells().impulse) == 0);                         // taken
+  CHECK(sum(map.take_cells().impulse) == 0);                         // cleared
   CHECK(sum(map.by_triangle().impulse) == Approx(3).epsilon(1e-3));  // kept
   for (std::size_t t = 0; t < map.triangles().size(); ++t) {
     if (map.by_triangle().impulse[t] == 0) continue;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/rocks/library_cache.hpp"
 #include "core/rocks/recipe.hpp"
-#include "io/mesh/mesh_file.hpp"
 #include "io/files/digest.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/rocks/libraries.hpp"
 #include "tests/io/mesh/written.hpp"
