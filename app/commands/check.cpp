@@ -132,7 +132,7 @@ int check_command(const CaseArguments& arguments) {
   if (report.loaded) {
     if (report.loaded->drivetrain_fmu)
       std::cerr << "starts the native code of " << report.loaded->drivetrain_fmu->file.string()
-                << ", in a process of its own with your rights, to see whether it can be initialised\n";
+                << ", in a separate process with your rights, to see whether it can be initialised\n";
     try {
       assembly.emplace(assemble(*report.loaded, arguments.threads));
       found.emplace(estimate(*report.loaded, *assembly));
