@@ -4,6 +4,7 @@
 #include "core/base/errors.hpp"
 #include "core/feed/feed.hpp"
 #include "core/fragments/concave_outline.hpp"
+#include "core/fragments/sieve_curve.hpp"
 #include "core/rocks/rock_template.hpp"
 #include "core/scene/new_rock.hpp"
 #include "core/scene/scene.hpp"

@@ -5,6 +5,9 @@
 
 namespace gyro {
 
+Product::Product(double rock_density, std::optional<ConcaveOutline> concave, std::vector<double> sieves)
+    : Product(rock_density, std::move(concave), std::move(sieves), State{}) {}
+
 Product::Product(double rock_density, std::optional<ConcaveOutline> concave, std::vector<double> sieves, State state)
     : rock_density_(rock_density), concave_(std::move(concave)), sieves_(std::move(sieves)), state_(std::move(state)) {
   state_.sieve_mass.resize(sieves_.size() + 1);

@@ -53,7 +53,9 @@ class Product {
   /// @param concave       none: nothing escapes
   /// @param sieves        of the analysis, increasing [m]
   explicit Product(double rock_density, std::optional<ConcaveOutline> concave = {},
-                   std::vector<double> sieves = sieve_series(), State state = {});
+                   std::vector<double> sieves = sieve_series());
+  /// Continues from a checkpoint.
+  Product(double rock_density, std::optional<ConcaveOutline> concave, std::vector<double> sieves, State state);
 
   /// Counts the fragments that have newly left the chamber.
   /// @param table  of these particles
