@@ -97,7 +97,7 @@ TEST_CASE("Verifications are called group/case, those of a group follow one anot
   std::string last;
   for (const Verification& v : verify::all_verifications()) {
     INFO(v.name);
-    CHECK(std::regex_match(v.name, std::regex("[a-z]+/[a-z0-9-]+")));
+    CHECK(std::regex_match(v.name, std::regex("[a-z]+(-[a-z]+)*/[a-z0-9-]+")));
     CHECK(names.insert(v.name).second);
     if (v.group() != last) CHECK(groups.insert(v.group()).second);
     last = v.group();

@@ -155,7 +155,7 @@ TEST_CASE("A product continues from its saved state", "[product]") {
   move_down(p, 0.5);
   whole.update(fragment_table(p), p);
   first.update(fragment_table(p), p);
-  Product second(rock_density, {}, first.state());
+  Product second(rock_density, {}, sieve_series(), first.state());
   move_down(p, 1.0);
   whole.update(fragment_table(p), p);
   second.update(fragment_table(p), p);
@@ -236,7 +236,7 @@ TEST_CASE("A fragment that has been measured is not measured again", "[product]"
   ParticleSnapshot p;
   add_fragment(p, block(2, 3, 5, 0.01), 0.01, rock_density, {0, 0, 0.5});
   HoldUp::State known{{0}, {30}, {0.5}, {}};  // a wrong size, on purpose
-  HoldUp hold_up(rock_density, known);
+  HoldUp hold_up(rock_density, sieve_series(), known);
   hold_up.update(fragment_table(p), p, Product(rock_density));
   CHECK(hold_up.state().size == std::vector<double>{0.5});
   p.fragment[29] = 29;
