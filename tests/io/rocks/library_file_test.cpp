@@ -2,6 +2,7 @@
 #include "io/rocks/library_file.hpp"
 #include "core/base/errors.hpp"
 #include "core/rocks/recipe.hpp"
+#include "io/files/seal.hpp"
 #include "io/hdf5/hdf5.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/rocks/libraries.hpp"
@@ -53,5 +54,6 @@ TEST_CASE("What is no library is refused with its path") {
     file.set_attribute("/", "format", std::uint64_t{99});
     file.close();
   }
+  seal(newer);
   refused(newer, "has format 99");
 }
