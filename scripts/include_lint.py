@@ -6,7 +6,7 @@
     base <- math <- exec <- dem                              the executor knows a machine and nothing of what it computes
     base .. laws <- geometry rocks fragments walls feed      preparation; the engine uses nothing of it
     base .. scene <- mbd                                     the drivetrain knows windows, not the particle engine
-    base .. surfaces, preparation, mbd <- io                 files; in it files and hdf5 <- run, and files <- mesh, stand alone
+    base .. surfaces, preparation, mbd <- io                 files; in it hdf5 <- run, yaml <- schema <- case; mesh stands alone
     everything <- app                                        in it simulation <- verify, bench <- commands
 
 Usage: include_lint.py [ROOT]
@@ -55,6 +55,8 @@ ALLOWED = {
     "mbd": (*SCENE, "mbd/"),
     "io": (*DATA, "mbd/", "io/"),
     "io/files": ("core/base/", "io/files/"),
+    "io/yaml": ("core/base/", "io/yaml/"),
+    "io/schema": (*DATA, "mbd/", "io/yaml/", "io/schema/"),
     "io/hdf5": ("core/base/", "io/hdf5/"),
     "io/mesh": (*DATA, "io/files/", "io/mesh/"),
     "io/run": (*DATA, "mbd/", "io/files/", "io/hdf5/", "io/run/"),
@@ -78,7 +80,7 @@ EXCEPTIONS = {
 
 # Libraries by the headers they are known by, and the folders or files that may name them.
 LIBRARIES = (
-    ("yaml-cpp", r"yaml-cpp/", ("io/case",)),
+    ("yaml-cpp", r"yaml-cpp/", ("io/yaml",)),
     ("HDF5", r"(hdf5|H5\w*)\.h$|hdf5/", ("io/hdf5",)),
     ("VTK", r"vtk\w+\.h(xx)?$", ("io/run",)),
     ("SUNDIALS", r"(cvode|nvector|sunmatrix|sunlinsol|sunnonlinsol|sundials|arkode|kinsol|ida)/", ("mbd",)),

@@ -36,7 +36,7 @@ class LintTest(unittest.TestCase):
 CORE = "base math scene surfaces laws state kernels exec dem geometry rocks fragments walls feed"
 ENGINE = "base math scene surfaces laws state kernels exec dem"
 DATA = "base math scene surfaces geometry rocks fragments walls feed"
-IO = "io/files io/case io/schema io/fmu io/hdf5 io/mesh io/run io/rocks"
+IO = "io/files io/yaml io/case io/schema io/fmu io/hdf5 io/mesh io/run io/rocks"
 ARROWS = {
     "base": "base",
     "math": "base math",
@@ -55,7 +55,8 @@ ARROWS = {
     "gpu": f"{ENGINE} gpu",
     "mbd": "base math scene mbd",
     "io/case": f"{DATA} mbd {IO}",
-    "io/schema": f"{DATA} mbd {IO}",
+    "io/yaml": "base io/yaml",
+    "io/schema": f"{DATA} mbd io/yaml io/schema",
     "io/fmu": f"{DATA} mbd {IO}",
     "io/files": "base io/files",
     "io/hdf5": "base io/hdf5",
@@ -151,7 +152,7 @@ class IncludeLint(LintTest):
             ("mbd/a.cpp", "<cvode/cvode.h>"),
             ("mbd/fmi/a.cpp", '"mbd/shaft.hpp"'),
             ("io/case/a.cpp", '"mbd/drivetrain_parameters.hpp"'),
-            ("io/case/a.cpp", "<yaml-cpp/parser.h>"),
+            ("io/yaml/a.cpp", "<yaml-cpp/parser.h>"),
             ("io/hdf5/a.cpp", "<hdf5.h>"),
             ("io/run/a.cpp", "<vtkPolyData.h>"),
             ("io/run/a.cpp", '"core/scene/dem.hpp"'),

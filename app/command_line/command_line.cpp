@@ -3,7 +3,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/version.hpp"
-#include "io/case/units.hpp"
+#include "io/yaml/units.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -5,6 +5,7 @@
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
 #include "io/files/read_file.hpp"
+#include "io/schema/describe.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -228,12 +228,4 @@ std::optional<CaseDifference> difference(const std::string& resolved, const std:
 /// Square table materials x materials for Scene::pairs. Pairs that cannot touch keep PairProperties' defaults.
 std::vector<PairProperties> pair_table(const Case& checked);
 
-/// Documentation of a key (type, unit, default, range, one line), of all keys below a section, or
-/// of the whole file for an empty key.
-/// @throws BadInput for an unknown key, with a suggestion
-std::string describe(const std::string& key = {});
-
-/// JSON Schema (draft-07) of the case file, for editors.
-std::string json_schema();
-
 }  // namespace gyro

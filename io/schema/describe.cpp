@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/schema/describe.hpp"
 #include "core/base/errors.hpp"
-#include "io/case/case.hpp"
 #include "io/schema/values.hpp"
 
 namespace gyro {

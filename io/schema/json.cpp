@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/case/case.hpp"
+#include "io/schema/describe.hpp"
 #include "io/schema/schema.hpp"
 
 #include <cmath>

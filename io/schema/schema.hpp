@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/case/units.hpp"
-#include "io/case/yaml_tree.hpp"
+#include "io/yaml/units.hpp"
+#include "io/yaml/yaml_tree.hpp"
 
 #include <limits>
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/schema/describe.hpp"
 #include "core/base/errors.hpp"
 #include "core/rocks/recipe.hpp"
 #include "io/case/case.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/case/units.hpp"
+#include "io/yaml/units.hpp"
 
 #include <charconv>
 #include <cmath>
