@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <system_error>
@@ -15,6 +16,11 @@
 namespace {
 
 using namespace gyro;
+
+bool is_lack_of_threads(const std::exception& failure) {
+  const auto* of_system = dynamic_cast<const std::system_error*>(&failure);
+  return of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
+}
 
 int guarded(const std::function<int()>& command) {
   try {
@@ -38,17 +44,18 @@ int guarded(const std::function<int()>& command) {
   } catch (const std::bad_alloc&) {
     std::cerr << "out of memory; reduce the particle count (see gyrosim check)\n";
     return exit_no_device;
-  } catch (const std::system_error& e) {
-    if (e.code() != std::errc::resource_unavailable_try_again) throw;
-    std::cerr << "the system starts no more threads for this user; give fewer with --threads\n";
-    return exit_no_device;
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::cerr << e.what() << "\n";
+    return exit_bad_input;
   } catch (const std::exception& e) {
+    if (is_lack_of_threads(e)) {
+      std::cerr << "the system starts no more threads for this user; give fewer with --threads\n";
+      return exit_no_device;
+    }
     std::cerr << "internal error: " << e.what() << "\n";
     return exit_internal;
   }
 }
-
-}  // namespace
 
 /// A caller may have closed standard input, output or error: then the next file that is opened would get its number,
 /// and messages would be written into that file.
@@ -56,6 +63,8 @@ void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::abort();
 }
+
+}  // namespace
 
 int main(int argc, char** argv) {
   open_standard_streams();

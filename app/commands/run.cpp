@@ -58,7 +58,7 @@ int run_command(const RunArguments& arguments) {
   });
   const RunStatus status = run->run();
   if (status == RunStatus::interrupted && !arguments.quiet)
-    std::cerr << "continue it with the same command and --out " << run->directory().string() << " --resume\n";
+    std::cerr << "continue it with the same case and options, --out " << run->directory().string() << " and --resume\n";
   return exit_code(status);
 }
 

@@ -92,6 +92,9 @@ void CaseRun::loop(Summary& summary) {
     output_.take(simulation.advance(), simulation);
     log_.drive_events(simulation);
     simulation.require_sound();
+    if (directory_.lock && directory_.lock->lost())
+      throw OutputError(directory_.path.string() +
+                        ": another run has taken this directory while this one was suspended");
     checkpoints_.keep_if_due(simulation, output_);
     progress.update(progress_state());
     if (const char* reason = stop_reason()) {

@@ -2,6 +2,7 @@
 #include "app/run/stop_request.hpp"
 
 #include <unistd.h>
+#include <cerrno>
 #include <csignal>
 #include <initializer_list>
 #include <string_view>
@@ -13,7 +14,9 @@ volatile std::sig_atomic_t signals_seen = 0;
 volatile std::sig_atomic_t exit_code_while_loading = 0;  ///< 0: the loop runs and checks signals_seen
 
 void say(std::string_view text) {
+  const int reason = errno;  // of the call that the signal interrupts
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  errno = reason;
 }
 
 extern "C" void on_signal(int signal) {

@@ -39,9 +39,11 @@ void remove_file(const fs::path& path) {
   if (error) fail(path, "remove", error);
 }
 
-/// Whether a snapshot has a name that a run gives: (particles|bonds|walls)_NNNNNN.vtp, perhaps with .tmp behind it.
+/// Whether a snapshot has a name that a run gives: (particles|bonds|walls)_NNNNNN.vtp or walls_fixed.vtp, perhaps with
+/// .tmp behind it.
 bool is_frame(std::string_view name) {
   if (name.ends_with(".tmp")) name.remove_suffix(4);
+  if (name == "walls_fixed.vtp") return true;
   if (!name.ends_with(".vtp")) return false;
   name.remove_suffix(4);
   const std::size_t bar = std::min(name.find('_'), name.size());

@@ -5,11 +5,11 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <condition_variable>
 #include <ctime>
@@ -19,6 +19,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -76,8 +77,10 @@ Holder holder_in(int file) {
   const std::string who =
       holder.host.empty() ? "another process"
                           : "process " + std::to_string(holder.pid) + " on " + holder.host + ", since " + holder.since;
-  throw BadInput(path.parent_path().string() + ": a run is still writing here (" + who +
-                 "); wait for its end or stop it, or give another directory with --out");
+  throw BadInput(
+      path.parent_path().string() + ": a run is still writing here (" + who +
+      "); wait for its end or stop it, or give another directory with --out. If that process is no run of gyrosim, "
+      "remove run.lock");
 }
 
 enum class Locked { yes, no, unknown };
@@ -114,92 +117,132 @@ bool gives_sign_of_life(const fs::path& path, const Holder& holder, LockTimes ti
   return false;
 }
 
+bool is_process(long pid) {
+  return pid > 0 && (::kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
+}
+
 void require_dead(const fs::path& path, const Holder& holder, Locked locked, LockTimes times) {
   if (holder.host.empty()) return;
   const bool here = holder.host == host_name();
   if (here && locked == Locked::yes) return;  // its lock has ended with it
-  const bool alive =
-      here ? ::kill(static_cast<pid_t>(holder.pid), 0) == 0 || errno == EPERM : gives_sign_of_life(path, holder, times);
+  const bool alive = here ? is_process(holder.pid) : gives_sign_of_life(path, holder, times);
   if (alive) refuse(path, holder);
 }
 
 }  // namespace
 
+namespace {
+
+/// run.lock, open and locked, with this process as its holder.
+class LockFile {
+ public:
+  LockFile(fs::path path, LockTimes times);
+  ~LockFile();
+  LockFile(const LockFile&) = delete;
+  LockFile& operator=(const LockFile&) = delete;
+
+  /// Counts a sign of life. @returns false when the file has another holder now
+  bool beat();
+
+ private:
+  bool open_and_lock(LockTimes times);
+  bool is_ours() const;
+
+  fs::path path_;
+  int file_ = -1;
+  Holder holder_;
+};
+
+LockFile::LockFile(fs::path path, LockTimes times) : path_(std::move(path)) {
+  while (!open_and_lock(times)) {
+  }
+  holder_ = {host_name(), utc_now(), static_cast<long>(::getpid()), 0};
+  const std::string text = text_of(holder_);
+  if (::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()))
+    return;
+  const int reason = errno;
+  ::close(file_);
+  errno = reason;
+  fail(path_, "write");
+}
+
+LockFile::~LockFile() {
+  if (is_ours()) ::unlink(path_.c_str());  // before the lock ends: who waits for it sees that the file is gone
+  ::close(file_);
+}
+
+/// @returns false when the file was removed meanwhile by its former holder
+bool LockFile::open_and_lock(LockTimes times) {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) fail(path_, "create the file");
+  try {
+    const Locked locked = try_lock(file_);
+    if (locked == Locked::no) refuse(path_, holder_in(file_));
+    if (is_file_of(path_, file_)) {
+      require_dead(path_, holder_in(file_), locked, times);
+      return true;
+    }
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+  ::close(file_);
+  return false;
+}
+
+bool LockFile::is_ours() const {
+  const Holder now = holder_in(file_);
+  return now.host == holder_.host && now.pid == holder_.pid && now.since == holder_.since;
+}
+
+bool LockFile::beat() {
+  if (!is_ours()) return false;
+  ++holder_.beat;
+  const std::string text = text_of(holder_);
+  // A disk that is full now is reported by what the run itself writes.
+  [[maybe_unused]] const ssize_t written = ::pwrite(file_, text.data(), text.size(), 0);
+  return true;
+}
+
+}  // namespace
+
 struct RunLock::Held {
-  Held(fs::path file_path, LockTimes lock_times);
+  Held(const fs::path& path, LockTimes times);
   ~Held();
   Held(const Held&) = delete;
   Held& operator=(const Held&) = delete;
 
-  bool open_and_lock(LockTimes times);
-  void write();
-  void give_signs_of_life();
-
-  fs::path path;
-  int file = -1;
-  Holder holder;
+  LockFile file;
   std::mutex mutex;
   std::condition_variable wake;
   bool over = false;
+  std::atomic<bool> lost{false};
   std::thread beating;
 };
 
-RunLock::Held::Held(fs::path file_path, LockTimes times) : path(std::move(file_path)) {
-  while (!open_and_lock(times)) {
-  }
-  holder = {host_name(), utc_now(), static_cast<long>(::getpid()), 0};
-  write();
+RunLock::Held::Held(const fs::path& path, LockTimes times) : file(path, times) {
   beating = std::thread([this, pause = times.beat] {
     std::unique_lock lock(mutex);
-    while (!wake.wait_for(lock, pause, [this] { return over; })) give_signs_of_life();
+    while (!wake.wait_for(lock, pause, [this] { return over; }))
+      if (!file.beat()) lost = true;
   });
 }
 
-/// @returns false when the file was removed meanwhile by its former holder
-bool RunLock::Held::open_and_lock(LockTimes times) {
-  file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) fail(path, "create the file");
-  try {
-    const Locked locked = try_lock(file);
-    if (locked == Locked::no) refuse(path, holder_in(file));
-    if (is_file_of(path, file)) {
-      require_dead(path, holder_in(file), locked, times);
-      return true;
-    }
-  } catch (...) {
-    ::close(file);
-    throw;
-  }
-  ::close(file);
-  return false;
-}
-
-void RunLock::Held::write() {
-  const std::string text = text_of(holder);
-  if (::ftruncate(file, 0) != 0 || ::pwrite(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
-    fail(path, "write");
-}
-
-void RunLock::Held::give_signs_of_life() {
-  ++holder.beat;
-  const std::string text = text_of(holder);
-  // A disk that is full now is reported by what the run itself writes.
-  [[maybe_unused]] const ssize_t written = ::pwrite(file, text.data(), text.size(), 0);
-}
-
 RunLock::Held::~Held() {
-  if (beating.joinable()) {
+  {
     const std::lock_guard lock(mutex);
     over = true;
   }
   wake.notify_all();
-  if (beating.joinable()) beating.join();
-  ::unlink(path.c_str());  // before the lock ends: who waits for it sees that the file is gone
-  ::close(file);
+  beating.join();
 }
 
 RunLock::RunLock(const fs::path& directory, LockTimes times)
     : held_(std::make_unique<Held>(directory / "run.lock", times)) {}
+bool RunLock::lost() const {
+  return held_->lost;
+}
+
 RunLock::~RunLock() = default;
 RunLock::RunLock(RunLock&&) noexcept = default;
 RunLock& RunLock::operator=(RunLock&&) noexcept = default;

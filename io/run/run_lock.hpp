@@ -25,6 +25,9 @@ class RunLock {
   /// @throws OutputError when the file cannot be made
   explicit RunLock(const std::filesystem::path& directory, LockTimes times = {});
   ~RunLock();
+  /// Whether another run has taken the directory: this process was suspended, and its locks are not seen from the other
+  /// machine.
+  bool lost() const;
   RunLock(RunLock&&) noexcept;
   RunLock& operator=(RunLock&&) noexcept;
 

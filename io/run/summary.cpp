@@ -65,7 +65,8 @@ void write_summary(const Summary& summary, const std::filesystem::path& director
 Summary load_summary(const std::filesystem::path& directory) {
   const std::filesystem::path path = directory / "summary.json";
   if (!std::filesystem::exists(path))
-    throw BadInput(path.string() + ": cannot be read; give the directory of a run that has ended, which writes this file");
+    throw BadInput(path.string() +
+                   ": cannot be read; give the directory of a run that has ended, which writes this file");
   const Json json = Json::parse(read_file(path), nullptr, false);
   try {
     if (!json.is_object() || !json.contains("status")) throw BadInput("it has no status");

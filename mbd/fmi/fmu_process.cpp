@@ -4,6 +4,7 @@
 #include "core/base/errors.hpp"
 #include "mbd/fmi/packet.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/socket.h>
@@ -72,6 +73,8 @@ bool write_all(int socket, const void* bytes, std::size_t size) {
   return true;
 }
 
+constexpr std::size_t max_packet = std::size_t{1} << 32;  ///< a saved state of 4 GB
+
 bool send_packet(int socket, const Packet& packet) {
   const std::size_t size = packet.bytes().size();
   return write_all(socket, &size, sizeof size) && write_all(socket, packet.bytes().data(), size);
@@ -80,6 +83,7 @@ bool send_packet(int socket, const Packet& packet) {
 Ended receive_packet(int socket, Packet& packet, Clock::time_point end) {
   std::size_t size = 0;
   if (const Ended ended = read_all(socket, &size, sizeof size, end); ended != Ended::no) return ended;
+  if (size > max_packet) return Ended::closed;  // the FMU has written into the socket
   std::vector<char> bytes(size);
   const Ended ended = read_all(socket, bytes.data(), size, end);
   packet = Packet(std::move(bytes));
@@ -133,13 +137,15 @@ class FmuProcess::Server {
       drive_.emplace(setup_);
       out.put(drive_->start()).put(drive_->start_angle()).put_list(drive_->unsaveable());
     });
+    ::alarm(0);  // until the first request: the program may place millions of particles meanwhile
     for (Packet request; drive_ && receive_packet(socket_, request, never) == Ended::no;) {
       limit_time();
       answer([&](Packet& out) { serve(request, out); });
       ::alarm(0);
     }
     limit_time();
-    drive_.reset();  // terminates the FMU
+    drive_.reset();        // terminates the FMU
+    std::fflush(nullptr);  // what it has printed
     ::_exit(0);
   }
 
@@ -206,6 +212,7 @@ class FmuProcess::Channel {
 
  private:
   [[noreturn]] void give_up(Ended how);
+  static Packet body_of(Packet& answer, Now& now, std::vector<std::string>& notes);
   std::string end_of_process();
 
   std::string name_;
@@ -230,6 +237,7 @@ FmuProcess::Channel::Channel(const FmuSetup& setup, std::chrono::milliseconds pa
       ::signal(signal, SIG_DFL);
     constexpr int kept = 3;  // all other files are closed here, such as the lock of the run's directory
     if (::dup2(ends[1], kept) != kept) ::_exit(1);
+    ::fcntl(kept, F_SETFD, FD_CLOEXEC);  // a program that the FMU starts must not keep the socket open
     ::close_range(kept + 1, ~0U, 0);
     Server(kept, setup, patience).run();
   }
@@ -244,21 +252,17 @@ FmuProcess::Channel::Channel(const FmuSetup& setup, std::chrono::milliseconds pa
 
 FmuProcess::Channel::~Channel() {
   ::close(socket_);
-  if (process_ < 0) return;
-  const Clock::time_point end = Clock::now() + std::min<std::chrono::milliseconds>(patience_, std::chrono::seconds(10));
-  while (::waitpid(process_, nullptr, WNOHANG) == 0) {
-    if (Clock::now() > end) {
-      ::kill(process_, SIGKILL);
-      ::waitpid(process_, nullptr, 0);
-      return;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  if (process_ >= 0) end_of_process();
 }
 
+/// Waits for the end of the process; ends it when it lives on. @returns how it ended
 std::string FmuProcess::Channel::end_of_process() {
+  const Clock::time_point end = Clock::now() + std::min<std::chrono::milliseconds>(patience_, std::chrono::seconds(10));
   int status = 0;
-  ::waitpid(process_, &status, 0);
+  while (::waitpid(process_, &status, WNOHANG) == 0) {
+    if (Clock::now() > end) ::kill(process_, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   process_ = -1;
   if (WIFSIGNALED(status)) return "was ended by " + signal_text(WTERMSIG(status));
   return "ended its process with exit code " + std::to_string(WEXITSTATUS(status));
@@ -277,6 +281,14 @@ Packet FmuProcess::Channel::ask(const Packet* request, Now& now, std::vector<std
   if (request != nullptr && !send_packet(socket_, *request)) give_up(Ended::closed);
   Packet answer;
   if (const Ended ended = receive_packet(socket_, answer, Clock::now() + patience_); ended != Ended::no) give_up(ended);
+  try {
+    return body_of(answer, now, notes);
+  } catch (const std::out_of_range&) {
+    throw StoppedByGuard("the drivetrain FMU " + name_ + " has damaged its process: its answer cannot be read");
+  }
+}
+
+Packet FmuProcess::Channel::body_of(Packet& answer, Now& now, std::vector<std::string>& notes) {
   const auto kind = answer.get<Answer>();
   const auto reason = answer.get_list<std::string>();
   now = answer.get<Now>();

@@ -152,6 +152,12 @@ TEST_CASE("Sieves of the case are those of product and hold-up, and stay when a 
   CHECK(place.gyrosim("run " + crush + " --out run --resume --until '4 ms'").code == 2);
 }
 
+TEST_CASE("A directory that the file system refuses is bad input, and no abort") {
+  const Workplace place;
+  const std::string name(300, 'x');
+  for (const std::string command : {"report ", "export csv "}) CHECK(place.gyrosim(command + name).code == 2);
+}
+
 TEST_CASE("export csv writes every table, curves with the size of each sieve in its name") {
   const Workplace place;
   REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);

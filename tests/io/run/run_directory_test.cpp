@@ -75,8 +75,9 @@ TEST_CASE("A half-done run asks for --overwrite") {
 
 TEST_CASE("Option --overwrite removes what a run wrote and nothing else") {
   const ScratchDirectory scratch;
-  for (const char* name : {"results.h5", "log.txt", "case.yaml", "checkpoint.h5", "checkpoint.h5.tmp", "walls.pvd",
-                           "snapshots/particles_000000.vtp", "snapshots/walls_1000000.vtp"})
+  for (const char* name :
+       {"results.h5", "log.txt", "case.yaml", "checkpoint.h5", "checkpoint.h5.tmp", "walls.pvd",
+        "snapshots/particles_000000.vtp", "snapshots/walls_1000000.vtp", "snapshots/walls_fixed.vtp"})
     touch(scratch.path() / name);
   for (const char* name : {"notes.txt", "picture.png", "snapshots/particles_mine.vtp", "particles.pvd.bak"})
     touch(scratch.path() / name);

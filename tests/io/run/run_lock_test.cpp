@@ -92,6 +92,18 @@ TEST_CASE("The holder of a lock gives signs of life") {
   CHECK(read(folder.path() / "run.lock") != before);
 }
 
+TEST_CASE("A holder that was suspended too long finds that another run has its directory, and leaves it") {
+  const ScratchDirectory folder;
+  {
+    const RunLock held(folder.path(), quick);
+    CHECK_FALSE(held.lost());
+    write_foreign_lock(folder.path(), 1);
+    for (int k = 0; k < 500 && !held.lost(); ++k) std::this_thread::sleep_for(10ms);
+    CHECK(held.lost());
+  }
+  CHECK_THAT(read(folder.path() / "run.lock"), Contains("host elsewhere"));
+}
+
 TEST_CASE("An open run directory cannot be opened again before it is closed") {
   const ScratchDirectory folder;
   {
