@@ -49,6 +49,9 @@ TEST_CASE("Maps of the liners are in results.h5 if the case asks for them, and a
   }
   CHECK(file.dataset("/series/wall_force_concave").columns() == 3);
 }
+  const Outcome exported = place.gyrosim("export csv maps --table liners/mantle");
+  CHECK(exported.code == 2);
+  CHECK(exported.err.starts_with("maps has no table liners/mantle; it has breakage, "));
 
 TEST_CASE("A run during start-up is reported as one, and the motor's figures are those of its rows") {
   const Workplace place;
@@ -168,3 +171,5 @@ TEST_CASE("export csv writes every table, curves with the size of each sieve in 
   CHECK(wrong.code == 2);
   CHECK(wrong.err == "run has no table fragments; it has breakage, holdup, ledger, performance, product, series\n");
 }
+  for (const std::string inner : {"/", "", "series/", "/series", "liners/mantle", "../run"})
+    CHECK(place.gyrosim("export csv run --table '" + inner + "'").code == 2);
