@@ -268,7 +268,7 @@ const std::vector<Key> run_keys = {
             "are gone."},
     {.path = "output.sieves", .type = quantities, .dimension = length, .range = positive,
      .doc = "Openings of the sieves of /product and /holdup, at least two, increasing. Without it: 125 mm x 2^(k/2) from 1 mm "
-            "to 1 m. P80 and P50 are read between these sieves."},
+            "to 1 m. P80, P50 and the shares below both settings are read between these sieves, and are missing outside them."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
      .doc = "Files of a snapshot: vtp for ParaView; hdf5 is not available in this version."},
     {.path = "output.liners",
