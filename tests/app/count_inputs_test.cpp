@@ -101,11 +101,11 @@ TEST_CASE("check estimates the time of a large batch from the rock that its tria
 
 TEST_CASE("check tries a run on the threads that it is given") {
   const Workplace place;
-  const std::string most_threads =
+  const std::string thread_count =
       "& most=0; for k in $(seq 40); do n=$(ls /proc/$!/task 2>/dev/null | wc -l); "
       "[ $n -gt $most ] && most=$n; sleep 0.1; done; wait $! && echo $most";
   for (const std::string threads : {"1", "3"})
-    CHECK(place.shell("$GYROSIM check '" GYRO_CASES "/box.yaml' --threads " + threads + " >checked " + most_threads)
+    CHECK(place.shell("$GYROSIM check '" GYRO_CASES "/box.yaml' --threads " + threads + " >checked " + thread_count)
               .out == threads + "\n");
 }
 
