@@ -25,7 +25,7 @@ namespace gyro {
 ///   no_load_speed(), rated_speed()   [rad/s]: of zero torque; at which the user's losses are quoted
 ///   complete()                       optional: computes the derived parameters
 ///   rated_torque(), current(speed)   optional: of a name plate [N m]; current / rated current at rated voltage [-]
-/// To add a law: add its file in mbd/motors, its type in this list, and its keys in io/schema/keys.cpp.
+/// To add a law: add its file in mbd/motors, its type in this list, and its keys in io/schema/drivetrain_keys.cpp.
 using Motor = std::variant<InductionMotor, DoubleCageMotor, DroopMotor, CurveMotor, ConstantSpeedMotor>;
 
 /// The name of a motor's law.

@@ -179,6 +179,18 @@ class Curves(Plot):
             with self.subTest(sizes=sizes):
                 self.assertIn(f"feed (case): P80 = {p80} mm", self.curves(self.write_run(f"feed{number}", sizes=sizes))[1])
 
+    def test_tables_of_spreadsheets(self):
+        for number, text in enumerate((
+            "\ufeffsep=;\nsize_mm;passing_percent;\n40,0;100,0;\n\n20,0;40,0;\n10,0;0;\n;;\n",
+            "# May\rsize_mm\tpassing_percent\r10\t0\r20\t40\r40\t100\r",
+            '"size_mm" , "passing_percent"\r\n"+10,0","0"\r\n"20,0", "40"\r\n 40 ," 100 "\r\n',
+        )):
+            with self.subTest(text=text):
+                sieves = self.folder / f"sieves{number}.csv"
+                sieves.write_bytes(text.encode())
+                run = self.write_run(f"table{number}", sizes=f"{{sieves: {sieves}}}")
+                self.assertIn("feed (case): P80 = 33.3 mm", self.curves(run)[1])
+
     def test_lost_file_of_the_feed(self):
         said = io.StringIO()
         with contextlib.redirect_stderr(said):

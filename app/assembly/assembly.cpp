@@ -80,7 +80,7 @@ void set_discharge(Assembly& out, const Case& input) {
   if (!input.crusher) return;
   Setup& setup = out.setup;
   setup.discharge.emplace();
-  if (!input.output.sieves.empty()) setup.discharge->sieves = input.output.sieves;
+  setup.discharge->sieves = sieves_of(input);
   setup.discharge->removal_depth = input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start));
   std::string why = "no fixed profile or mesh is called concave";
   try {
@@ -124,6 +124,10 @@ std::string key_of(SetupPart part) {
 }
 
 }  // namespace
+
+const std::vector<double>& sieves_of(const Case& input) {
+  return input.output.sieves.empty() ? sieve_series() : input.output.sieves;
+}
 
 Assembly assemble(const Case& input, int threads) {
   if (input.output.hdf5) throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; use vtp");

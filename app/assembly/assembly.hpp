@@ -30,6 +30,9 @@ struct Assembly {
 /// rock or steps than can be run
 Assembly assemble(const Case& input, int threads = 0);
 
+/// Sieves of product and hold-up: those of the case, or else the default series; increasing [m].
+const std::vector<double>& sieves_of(const Case& input);
+
 /// The simulation of an assembled case; opens its drive.
 /// @param dem    empty scene made from setup.scene
 /// @param saved  see Simulation

@@ -2,6 +2,7 @@
 #include "app/assembly/mesh_checks.hpp"
 
 #include "core/base/errors.hpp"
+#include "io/schema/schema.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 namespace gyro {
 namespace {
 
-constexpr double absurd = 1000;        // [m]; no wall of a crusher is that long
 constexpr double suspicious = 100;     // [m]
 constexpr double many_rocks = 1000;    // extent / largest rock; above it, a drawing in mm is more likely
 constexpr double round_within = 0.02;  // a polygon of 12 sides is 1.7 % off a circle
@@ -37,7 +37,7 @@ std::string name_of(const CaseWall& wall, const MeshFile& file) {
 
 void check_extent(const TriangleMesh& mesh, const MeshFile& file) {
   const Extents extents = extents_of(mesh);
-  if (!(extents.largest() <= absurd))
+  if (!(extents.largest() <= longest_length))
     throw BadInput(file.path.string() + ": the mesh is larger than 1 km (" + to_string(extents) +
                    "); meshes are in metres: set the wall's scale, which is 0.001 for a drawing in mm");
 }

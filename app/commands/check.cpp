@@ -27,63 +27,77 @@ struct Estimate {
 /// Measurements of a run of some windows from t = 0.
 struct Trial {
   Counts start;
+  std::int64_t particles;   ///< after the windows, with what the feed has brought
   double seconds_per_step;  ///< median: the first steps build neighbour lists, and others may use the machine
 };
-Trial try_out(const Case& input, Setup setup) {
+/// @param threads  of the run; 0: all cores
+Trial try_out(const Case& input, Setup setup, int threads) {
   constexpr double enough_work = 1e6;  // particle steps in a trial window, some tenths of a second
   constexpr double enough_time = 1.5;  // [s]
   setup.inspection_interval = 0;
-  auto dem = make_dem(choose_device("cpu", 0), setup.scene, input.numerics.precision);
+  auto dem = make_dem(choose_device("cpu", threads), setup.scene, input.numerics.precision);
   const std::unique_ptr<Simulation> simulation = make_simulation(input, std::move(setup), std::move(dem));
   const Counts at_start = simulation->dem().counts();
-  const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(at_start.particles, 1));
-  const int max_steps = static_cast<int>(std::clamp(affordable, 1.0, 1e9));
+  std::int64_t particles = at_start.particles;
   using Clock = std::chrono::steady_clock;
   std::vector<double> seconds;  // per step
   const auto start = Clock::now();
   do {
+    const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(particles, 1));
+    const int max_steps = static_cast<int>(std::clamp(affordable, 1.0, 1e9));
     const auto begin = Clock::now();
     const WindowResult result = simulation->advance(max_steps);
     simulation->require_sound();
     seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count() / result.window.steps);
+    particles = simulation->dem().counts().particles;
   } while (seconds.size() < 3 ||
            (seconds.size() < 100 && Clock::now() - start < std::chrono::duration<double>(enough_time)));
   std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
-  return {at_start, seconds[seconds.size() / 2]};
+  return {at_start, particles, seconds[seconds.size() / 2]};
 }
 
-/// Takes away rock that would take minutes to place. @return share of the particles at the start that are left
+/// [kg]; 0 without a library
+double heaviest_rock(const Setup& setup) {
+  double volume = 0;
+  for (const RockTemplate& rock : setup.library.rocks) volume = std::max(volume, rock.solid_volume);
+  return volume * setup.scene.materials[static_cast<std::size_t>(setup.scene.rock_material)].density;
+}
+
+/// Takes away rock that would take minutes to place, and drops a batch at once: the trial ends before a later start.
+/// @return share of the particles at the start that are left
 double thin_out(Setup& setup, const ExpectedCounts& expected) {
   constexpr double max_rocks = 2e4, max_particles = 1e5;
+  if (setup.feed && setup.feed->batch > 0) setup.feed->start = 0;
   const double share = std::min({1.0, max_rocks / expected.rocks, max_particles / expected.particles});
   if (!(share < 1) || !setup.feed) return 1;
-  setup.feed->initial *= share;
+  const double rock = heaviest_rock(setup);
+  for (double* mass : {&setup.feed->initial, &setup.feed->batch})
+    *mass = std::max(share * *mass, std::min(*mass, rock));  // the feed refuses less than a rock
   setup.feed->fixed.resize(
       std::max<std::size_t>(setup.feed->fixed.empty() ? 0 : 1,
                             static_cast<std::size_t>(share * static_cast<double>(setup.feed->fixed.size()))));
   return share;
 }
 
-Estimate estimate(const Case& input, const Assembly& assembly) {
+Estimate estimate(const Case& input, const Assembly& assembly, int threads) {
   Estimate e;
   e.step = assembly.step;
   const ExpectedCounts& expected = assembly.expected;
   e.steps = std::llround(expected.steps);
   Setup setup = assembly.setup;
   e.placed = thin_out(setup, expected) == 1;
-  const Trial trial = try_out(input, std::move(setup));
-  const double batch = assembly.setup.feed ? assembly.setup.feed->batch : 0;
+  const Trial trial = try_out(input, std::move(setup), threads);
+  const bool batch = assembly.setup.feed && assembly.setup.feed->batch > 0;
   // Counts of placed rock are exact; a batch comes later.
   e.particles = e.placed ? trial.start.particles : std::llround(expected.particles);
   e.bonds = e.placed ? trial.start.bonds_intact : std::llround(expected.bonds);
-  const double tried = static_cast<double>(std::max<std::int64_t>(trial.start.particles, 1));
-  const double all = std::max(expected.particles, double(e.particles)) + expected.fed_particles;
-  e.particles_at_end = batch > 0 || !e.placed ? std::llround(all) : e.particles + std::llround(expected.fed_particles);
+  const double start = batch ? std::max(expected.particles, double(e.particles)) : double(e.particles);
+  e.particles_at_end = std::llround(start + expected.fed_particles);
   e.bytes = expected_bytes(double(e.particles_at_end), double(e.bonds));
-  const double growth =
-      e.particles > 0 ? 0.5 * (1 + static_cast<double>(e.particles_at_end) / static_cast<double>(e.particles)) : 1;
-  const double whole = e.placed ? 1 : double(e.particles) / tried;
-  e.seconds = expected.steps * growth * whole * trial.seconds_per_step;
+  // A step takes time in proportion to the particles; what the rate feeds in a trial is too little to count.
+  const double average = 0.5 * (start + double(e.particles_at_end));
+  const auto tried = static_cast<double>(batch ? trial.particles : trial.start.particles);
+  e.seconds = expected.steps * trial.seconds_per_step * (tried > 0 ? average / tried : 1);
   return e;
 }
 
@@ -135,7 +149,7 @@ int check_command(const CaseArguments& arguments) {
                 << ", in a separate process with your rights, to see whether it can be initialised\n";
     try {
       assembly.emplace(assemble(*report.loaded, arguments.threads));
-      found.emplace(estimate(*report.loaded, *assembly));
+      found.emplace(estimate(*report.loaded, *assembly, arguments.threads));
     } catch (const BadKey& bad) {
       blame(bad.key, bad.what());
     } catch (const StoppedByGuard& stop) {

@@ -28,7 +28,7 @@ struct CaseArguments {
   std::filesystem::path file;
   std::vector<std::string> set;
   bool json = false;
-  int threads = 0;  ///< that make the rocks; 0: all cores. RunArguments has its own
+  int threads = 0;  ///< that make the rocks and try the run; 0: all cores. RunArguments has its own
 };
 
 struct RunArguments {

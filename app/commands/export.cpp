@@ -48,19 +48,25 @@ hdf5::File open_results(const std::filesystem::path& run) {
   return hdf5::File::open(file);
 }
 
-/// The tables of a run that have rows of their own.
-std::string tables_in(const hdf5::File& results) {
-  std::string names;
-  for (const std::string& name : results.children("/"))
-    if (results.contains("/" + name + "/time")) names += (names.empty() ? "" : ", ") + name;
+/// The tables of a run that have rows of their own. Groups within groups, as those of /liners, mix them with datasets
+/// that are written once.
+std::vector<std::string> tables_in(const hdf5::File& results) {
+  std::vector<std::string> names = results.children("/");
+  std::erase_if(names, [&](const std::string& name) { return !results.contains("/" + name + "/time"); });
   return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
 std::vector<Quantity> read_table(const std::filesystem::path& run, const std::string& table) {
   const hdf5::File results = open_results(run);
   const std::string group = "/" + table;
-  if (!results.contains(group + "/time"))
-    throw BadInput(run.string() + " has no table " + table + "; it has " + tables_in(results));
+  if (const std::vector<std::string> tables = tables_in(results); std::ranges::find(tables, table) == tables.end())
+    throw BadInput(run.string() + " has no table " + table + "; it has " + listed(tables));
   std::vector<Quantity> quantities;
   std::vector<std::string> names = results.children(group);
   std::ranges::stable_partition(names, [](const std::string& name) { return name == "time"; });

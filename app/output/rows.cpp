@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output/rows.hpp"
 
+#include "app/assembly/assembly.hpp"
+
 namespace gyro {
-namespace {
-
-std::vector<double> sieves_of(const Case& input) {
-  return input.output.sieves.empty() ? sieve_series() : input.output.sieves;
-}
-
-}  // namespace
 
 RowWriter::RowWriter(const Case& input, const OutputForm& form)
     : input_(input),

@@ -147,7 +147,7 @@ SteadyState describe(const GyrationRecord& record, std::size_t first, std::span<
   for (const double size : sizes)
     s.below.push_back(estimate(blocks, [&](const Sums& b) {
       const ProductRow curve = curve_of(b, sieves);
-      return curve.mass > 0 ? std::optional(passing_at(sieves, curve.passing, size)) : std::nullopt;
+      return curve.mass > 0 ? passing_at(sieves, curve.passing, size) : std::nullopt;
     }));
   if (s.throughput.value > 0) s.residence_time = mean(g, holdup_of) / s.throughput.value;
   return s;

@@ -35,10 +35,10 @@ std::optional<double> passing_size(const std::vector<double>& sieves, const std:
   return sieves[k - 1] * std::pow(sieves[k] / sieves[k - 1], part);
 }
 
-double passing_at(const std::vector<double>& sieves, const std::vector<double>& passing, double size) {
+std::optional<double> passing_at(const std::vector<double>& sieves, const std::vector<double>& passing, double size) {
+  if (!(size >= sieves.front() && size <= sieves.back())) return std::nullopt;
   const std::size_t k = sieve_of(sieves, size);
   if (k == 0) return passing.front();
-  if (k == sieves.size()) return passing.back();
   const double part = std::log(size / sieves[k - 1]) / std::log(sieves[k] / sieves[k - 1]);
   return passing[k - 1] + part * (passing[k] - passing[k - 1]);
 }

@@ -20,9 +20,9 @@ std::size_t sieve_of(const std::vector<double>& sieves, double size);
 /// @param passing  of each sieve, not decreasing
 std::optional<double> passing_size(const std::vector<double>& sieves, const std::vector<double>& passing, double share);
 
-/// The inverse: share of the mass that passes an opening of this size [m], linear in log(size) between two sieves;
-/// below the finest sieve, the share of that sieve.
-double passing_at(const std::vector<double>& sieves, const std::vector<double>& passing, double size);
+/// The inverse: share of the mass that passes an opening of this size [m], linear in log(size) between two sieves.
+/// None below the finest and above the coarsest sieve.
+std::optional<double> passing_at(const std::vector<double>& sieves, const std::vector<double>& passing, double size);
 
 /// A sieve analysis: of all rock discharged up to a time, or of the rock in the chamber.
 struct ProductRow {

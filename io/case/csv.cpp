@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -56,6 +57,15 @@ std::string_view next_line(std::string_view& text) {
   return line;
 }
 
+/// Whether the comma of a number may stand between thousands: "1,500", but not "0,500", "1,50" or "1500,125".
+bool may_be_thousands(std::string_view number) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (number.starts_with('+') || number.starts_with('-')) number.remove_prefix(1);
+  const std::size_t comma = number.find(',');
+  if (comma < 1 || comma > 3 || number.size() != comma + 4 || number[0] == '0') return false;
+  return std::ranges::all_of(number.substr(0, comma), digit) && std::ranges::all_of(number.substr(comma + 1), digit);
+}
+
 /// How spreadsheets divide cells: by semicolons where the decimal sign is a comma.
 char separator_of(std::string_view header) {
   for (const char separator : {';', '\t'})
@@ -85,6 +95,7 @@ class CsvReader {
       }
     }
     if (table_.header.empty()) problem(1, 1, "the table is empty; it must begin with the header row " + expected());
+    if (!decimal_commas_ && !mixed_) refuse_thousands();
     finish_problems();
     return std::move(table_);
   }
@@ -101,6 +112,14 @@ class CsvReader {
       more_[cause] = {table_.problems.size(), 0};
       problem(line, column, std::move(message));
     }
+  }
+  /// Tells of cells such as "1,500" in a file that does not show what its commas are.
+  void refuse_thousands() {
+    for (const auto& [line, cell] : unclear_)
+      row_problem("thousands", line, cell.column,
+                  "\"" + cell.text.substr(0, 40) +
+                      "\" may be thousands or a decimal comma; write thousands without a sign between them, and "
+                      "decimals with a point");
   }
   void finish_problems() {
     for (const auto& [cause, again] : more_)
@@ -164,6 +183,11 @@ class CsvReader {
       return value;
     }
     if (commas > 0 || points > 0) expect_same_sign(commas > 0, cell, line);
+    if (commas > 0 && may_be_thousands(cell.text)) {
+      unclear_.emplace_back(line, cell);
+    } else if (commas > 0) {
+      decimal_commas_ = true;
+    }
     return value;
   }
   /// One file has one decimal sign; with both, 1,500 could be 1500.
@@ -186,6 +210,8 @@ class CsvReader {
   std::map<std::string, Again> more_;  ///< by cause
   char separator_ = ',', sign_ = 0;
   bool mixed_ = false;
+  bool decimal_commas_ = false;                ///< a cell has a comma that can be nothing else
+  std::vector<std::pair<int, Cell>> unclear_;  ///< lines and cells such as "1,500"
 };
 
 }  // namespace

@@ -26,7 +26,8 @@ struct CsvTable {
 };
 
 /// Reads a table as spreadsheets write it: cells between commas, semicolons or tabs, as the header has them; quotes;
-/// decimal points, or decimal commas where they cannot be mistaken; a byte-order mark; any line ends. Lines that begin
+/// decimal points, or decimal commas where they cannot be mistaken; a byte-order mark; any line ends. "1,500" is
+/// refused unless another cell, such as 2,5 or 0,125, shows that the commas of the file are decimal. Lines that begin
 /// with #, empty rows and empty columns behind the last are skipped. A cause that many rows share is one problem.
 /// @param header  columns that must be there, in this order
 /// @param groups  columns that may follow, in this order, each group whole or not at all

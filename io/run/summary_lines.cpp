@@ -114,8 +114,10 @@ std::string below_settings_line(const Summary& s) {
   };
   const auto oss = value(&SteadyFigures::product_below_oss, s.product_below_oss);
   const auto css = value(&SteadyFigures::product_below_css, s.product_below_css);
-  if (!oss || !css) return {};
-  return line("", format("%.3g %% below OSS, %.3g %% below CSS", 100 * *oss, 100 * *css));
+  std::string text;
+  if (oss) text = format("%.3g %% below OSS", 100 * *oss);
+  if (css) text += (oss ? ", " : "") + format("%.3g %% below CSS", 100 * *css);
+  return text.empty() ? text : line("", text);
 }
 
 std::string single_particles_line(const Summary& s) {

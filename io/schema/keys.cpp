@@ -190,8 +190,8 @@ const std::vector<Key> wall_keys = {
     {.path = "walls.<name>.rotate", .type = vector, .dimension = Dimension::angle, .when = "stl",
      .doc = "Rotates the scaled mesh about the fixed axes x, then y, then z, right-handed: [90 deg, 0, 0] for a drawing with y "
             "upwards; none by default."},
-    {.path = "walls.<name>.shift", .type = vector, .dimension = length, .when = "stl",
-     .doc = "Added to the scaled and rotated mesh; none by default."},
+    {.path = "walls.<name>.shift", .type = vector, .dimension = length, .range = {.low = -1e7, .high = 1e7}, .when = "stl",
+     .doc = "Added to the scaled and rotated mesh, which may be in the coordinates of a mine; none by default."},
     {.path = "walls.<name>.plane", .doc = "Infinite plane; the rock is on the side of the normal."},
     {.path = "walls.<name>.plane.point", .type = vector, .dimension = length, .required = true, .doc = "A point of the plane."},
     {.path = "walls.<name>.plane.normal", .type = vector, .required = true, .doc = "Normal of the plane, of any length except 0."},
@@ -268,7 +268,7 @@ const std::vector<Key> run_keys = {
             "are gone."},
     {.path = "output.sieves", .type = quantities, .dimension = length, .range = positive,
      .doc = "Openings of the sieves of /product and /holdup, at least two, increasing. Without it: 125 mm x 2^(k/2) from 1 mm "
-            "to 1 m. P80 and P50 are read between these sieves."},
+            "to 1 m. P80, P50 and the shares below both settings are read between these sieves, and are missing outside them."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
      .doc = "Files of a snapshot: vtp for ParaView; hdf5 is not available in this version."},
     {.path = "output.liners",

@@ -43,7 +43,7 @@ struct Range {
   bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
 };
 
-/// No length of a crusher is longer: a larger one is a mistake in the unit [m].
+/// No length of a crusher is longer: a larger one is a mistake in the unit [m]. Keys with an upper limit have that one.
 constexpr double longest_length = 1000;
 
 /// A key of the case file.

@@ -100,7 +100,8 @@ bool ValueReader::read_number(Setting& setting, const Key& key, const YamlNode& 
             path + " = " + node.text + " is out of range; it must be " + range_text(key.range, key.dimension));
     return false;
   }
-  if (key.dimension == Dimension::length && std::abs(*parsed.value) > longest_length) {
+  if (key.dimension == Dimension::length && !std::isfinite(key.range.high) &&
+      std::abs(*parsed.value) > longest_length) {
     problem(node.mark, path + " = " + node.text + " is more than 1 km; check the unit");
     return false;
   }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What pictures need of a run's case: size distribution of the feed, settings of the crusher, friction of the liners."""
 import csv
+import re
 import sys
 
 import numpy as np
@@ -47,22 +48,31 @@ def feed_curve(case):
 
 
 def read_sieves(path):
-    """Points of a CSV with size_mm and passing_percent. None if the file is gone, which is said on stderr."""
+    """Points of a CSV with size_mm and passing_percent, in the forms that io/case/csv.hpp describes. None if the file is
+    gone, which is said on stderr."""
     try:
-        with open(path, encoding="utf-8") as file:
-            rows = csv.DictReader(line for line in file if not line.startswith("#"))
-            return [(float(row["size_mm"]) * 1e-3, float(row["passing_percent"]) * 1e-2) for row in rows]
-    except (OSError, ValueError, KeyError) as error:
+        with open(path, encoding="utf-8-sig") as file:
+            lines = [line for line in file
+                     if line.strip(' \t,;"\n') and not re.match("#|sep=.$", line)]
+        separator = next((sign for sign in ";\t" if sign in lines[0]), ",")
+        rows = [[cell.strip() for cell in row] for row in csv.reader(lines, delimiter=separator, skipinitialspace=True)]
+        size, passing = rows[0].index("size_mm"), rows[0].index("passing_percent")
+        return [(number(row[size]) * 1e-3, number(row[passing]) * 1e-2) for row in rows[1:]]
+    except (OSError, ValueError, IndexError) as error:
         print(f"note: the feed has no curve, because {path} of rocks.sizes.sieves cannot be read ({error}); "
               "put the file back", file=sys.stderr)
         return None
 
 
+def number(cell):
+    return float(cell.replace(",", "."))
+
+
 def between(points):
-    """A curve through points, linear in the size; with points enough that it looks so on a logarithmic axis."""
+    """A curve through points in any order, linear in the size; with points enough that it looks so on a logarithmic axis."""
     if points is None:
         return None
-    sizes, passing = np.array(points, float).T
+    sizes, passing = np.array(sorted(points), float).T
     fine = np.union1d(sizes, np.geomspace(sizes[0], sizes[-1], 200))
     return fine, np.interp(fine, sizes, passing)
 

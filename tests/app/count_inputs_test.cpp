@@ -82,6 +82,33 @@ TEST_CASE("check counts a million rocks without placing all of them") {
   CHECK(nlohmann::json::parse(place.gyrosim("check case.yaml --json --set feed.rocks=2").out)["placed"] == true);
 }
 
+TEST_CASE("check estimates the time of a large batch from the rock that its trial has seen") {
+  const Workplace place;
+  const std::string batch = " --set feed.initial=null --set feed.initial_top=null --set feed.start='0.1 s'";
+  const auto found = [&](const std::string& mass) {
+    const Outcome outcome = place.gyrosim("check " + quickstart + batch + " --json --set feed.mass='" + mass + "'");
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return nlohmann::json::parse(outcome.out);
+  };
+  const nlohmann::json small = found("60 kg"), large = found("600 kg");
+  CHECK(small["placed"] == true);
+  CHECK(large["placed"] == false);
+  const double ratio = large["estimated_seconds"].get<double>() / small["estimated_seconds"].get<double>();
+  CHECK(ratio > 2);  // 10 on a quiet machine
+  CHECK(ratio < 50);
+}
+
+TEST_CASE("check tries a run on the threads that it is given") {
+  const Workplace place;
+  const std::string thread_count =
+      "& most=0; for k in $(seq 40); do n=$(ls /proc/$!/task 2>/dev/null | wc -l); "
+      "[ $n -gt $most ] && most=$n; sleep 0.1; done; wait $! && echo $most";
+  for (const std::string threads : {"1", "3"})
+    CHECK(place.shell("$GYROSIM check '" GYRO_CASES "/box.yaml' --threads " + threads + " >checked " + thread_count)
+              .out == threads + "\n");
+}
+
 TEST_CASE("Absurd lengths, tiny restitutions and impossible names are refused with the reason") {
   const Workplace place;
   place.write("profile.csv", "z_m,mantle_radius_m,concave_radius_m\n0,0.1,1e9\n0.4,0.05,1e9\n");

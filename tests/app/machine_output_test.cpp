@@ -5,6 +5,7 @@
 #include "tests/catch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <numeric>
 #include <sstream>
@@ -48,6 +49,9 @@ TEST_CASE("Maps of the liners are in results.h5 if the case asks for them, and a
     CHECK(9 * file.dataset(liner + "/triangles/work").columns() == file.dataset(liner + "/corners").rows());
   }
   CHECK(file.dataset("/series/wall_force_concave").columns() == 3);
+  const Outcome exported = place.gyrosim("export csv maps --table liners/mantle");
+  CHECK(exported.code == 2);
+  CHECK(exported.err.starts_with("maps has no table liners/mantle; it has breakage, "));
 }
 
 TEST_CASE("A run during start-up is reported as one, and the motor's figures are those of its rows") {
@@ -156,6 +160,15 @@ TEST_CASE("A directory that the file system refuses is bad input, and no abort")
   const Workplace place;
   const std::string name(300, 'x');
   for (const std::string command : {"report ", "export csv "}) CHECK(place.gyrosim(command + name).code == 2);
+TEST_CASE("The share below a side setting that lies outside the sieves is missing") {
+  const Workplace place;  // settings of 15 mm and 20.4 mm
+  const std::string run = "run " + crush + " --until '1 ms' --set output.snapshots=0 --out ";
+  REQUIRE(place.gyrosim(run + "upper --set 'output.sieves=[20 mm, 1 m]'").code == 0);
+  REQUIRE(place.gyrosim(run + "lower --set 'output.sieves=[1 mm, 20 mm]'").code == 0);
+  CHECK(std::isnan(result_of(place.path() / "upper", "holdup/below_css").back()));
+  CHECK(result_of(place.path() / "upper", "holdup/below_oss").back() <= 1);
+  CHECK(result_of(place.path() / "lower", "holdup/below_css").back() <= 1);
+  CHECK(std::isnan(result_of(place.path() / "lower", "holdup/below_oss").back()));
 }
 
 TEST_CASE("export csv writes every table, curves with the size of each sieve in its name") {
@@ -173,4 +186,6 @@ TEST_CASE("export csv writes every table, curves with the size of each sieve in 
   const Outcome wrong = place.gyrosim("export csv run --table fragments");
   CHECK(wrong.code == 2);
   CHECK(wrong.err == "run has no table fragments; it has breakage, holdup, ledger, performance, product, series\n");
+  for (const std::string inner : {"/", "", "series/", "/series", "liners/mantle", "../run"})
+    CHECK(place.gyrosim("export csv run --table '" + inner + "'").code == 2);
 }

@@ -63,6 +63,19 @@ TEST_CASE("Liners drawn in mm, with y upwards and beside the axis, are corrected
   CHECK_THAT(plane.err, Contains("needs the key stl"));
 }
 
+TEST_CASE("Liners in the coordinates of a mine are brought to the axis by shift") {
+  const MeshCrusher place;
+  place.redraw_both({-2048, 2048, 0}, {0, 0, 0}, 1);
+  const Outcome mended = place.gyrosim("liners stl.yaml --out p --json" + place.set("shift", "[2048 m, -2048 m, 0]"));
+  INFO(mended.err);
+  REQUIRE(mended.code == 0);
+  CHECK(nlohmann::json::parse(mended.out)["closed_side_setting"].get<double>() == Approx(0.015).margin(1e-5));
+  const Outcome refused = place.gyrosim("check stl.yaml" + place.set("shift", "[2e7 m, 0, 0]"));
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.err, Contains("shift[0] = 2e7 m is out of range; it must be between"));
+  CHECK(place.gyrosim("check stl.yaml --set crusher.closed_side_setting='2048 m'").code == 2);
+}
+
 TEST_CASE("Liners in another frame are refused or noted, with the file and the key that corrects it") {
   const MeshCrusher place;
   SECTION("millimetres") {

@@ -6,9 +6,9 @@ namespace {
 
 using Row = CurveReading;
 
-/// Share of the mass that passes a size, read between two sieves; none without mass.
+/// Share of the mass that passes a size, read between two sieves; none without mass and outside the sieves.
 std::optional<double> below(const CurveReading& r, double size) {
-  return r.curve.mass > 0 ? std::optional(passing_at(r.curve.sieves, r.curve.passing, size)) : std::nullopt;
+  return r.curve.mass > 0 ? passing_at(r.curve.sieves, r.curve.passing, size) : std::nullopt;
 }
 
 std::vector<Column<CurveReading>> curve_columns() {
@@ -42,11 +42,13 @@ std::vector<Column<CurveReading>> curve_columns() {
       {.name = "below_css",
        .units = "1",
        .value = [](const Row& r) { return below(r, r.closed_side_setting); },
-       .description = "share of the mass that passes the closed side setting; NaN without mass"},
+       .description = "share of the mass that passes the closed side setting; NaN without mass or with a setting "
+                      "outside the sieves"},
       {.name = "below_oss",
        .units = "1",
        .value = [](const Row& r) { return below(r, r.open_side_setting); },
-       .description = "share of the mass that passes the open side setting; NaN without mass"},
+       .description = "share of the mass that passes the open side setting; NaN without mass or with a setting outside "
+                      "the sieves"},
   };
 }
 

@@ -191,8 +191,10 @@ TEST_CASE("The share below a size is the inverse of the size of a share", "[prod
   for (const double share : {0.13, 0.5, 0.8})
     CHECK(passing_at(sieve_series(), passing, *passing_size(sieve_series(), passing, share)) ==
           Approx(share).epsilon(1e-12));
-  CHECK(passing_at(sieve_series(), passing, 1e-6) == 0);
-  CHECK(passing_at(sieve_series(), passing, 10) == 1);
+  CHECK(passing_at(sieve_series(), passing, sieve_series().front()) == passing.front());
+  CHECK(passing_at(sieve_series(), passing, sieve_series().back()) == passing.back());
+  CHECK(!passing_at(sieve_series(), passing, 0.999 * sieve_series().front()));
+  CHECK(!passing_at(sieve_series(), passing, 1.001 * sieve_series().back()));
   CHECK(passing_at(sieve_series(), passing, sieve_series()[3]) == Approx(passing[3]).epsilon(1e-12));
 }
 

@@ -71,6 +71,29 @@ TEST_CASE("A cause that many rows share is told once, with what to do", "[csv]")
   CHECK_THAT(table.problems[0].message, Contains(reason));
 }
 
+TEST_CASE("A comma that may stand between thousands is refused", "[csv]") {
+  const auto [text, line, column, more] = GENERATE(table<std::string, int, int, std::string>({
+      {"size_mm,passing_percent\n10,0\n\"1,500\",100\n", 3, 1, ""},
+      {"size_mm;passing_percent\n10;0\n1,500;100\n", 3, 1, ""},
+      {"size_mm\tpassing_percent\n10\t0\n500\t-12,500\n", 3, 5, ""},
+      {"size_mm;passing_percent\n10;0\n1,500;50\n+2,500;100\n", 3, 1, "(1 more row like this)"},
+  }));
+  INFO(text);
+  const CsvTable table = table_of(text);
+  REQUIRE(table.problems.size() == 1);
+  CHECK(table.problems[0].line == line);
+  CHECK(table.problems[0].column == column);
+  CHECK_THAT(table.problems[0].message, Contains("write thousands without a sign") && Contains(more));
+}
+
+TEST_CASE("One cell shows that the commas of a file are decimal", "[csv]") {
+  const std::string shown = GENERATE("2,5", "0,125", "3,1250", "1500,125", "1,5e1");
+  INFO(shown);
+  const CsvTable table = table_of("size_mm;passing_percent\n1,500;0\n" + shown + ";100\n");
+  REQUIRE(table.problems.empty());
+  CHECK(table.rows[0][0] == 1.5);
+}
+
 TEST_CASE("Sieves may be listed in either order", "[csv]") {
   const std::string sieves = GENERATE("30,0\n45,70\n60,100\n", "60,100\n45,70\n30,0\n");
   const ScratchDirectory folder;

@@ -97,6 +97,12 @@ TEST_CASE("The text shows what the run has and fits a screen") {
   CHECK_THAT(full, Contains("12.5 % of the product; crumbled rock swells 1.07-fold"));
   CHECK_THAT(full, Contains("3420 t/h"));
   CHECK(std::count(full.begin(), full.end(), '\n') <= 20);
+
+  summary.product_below_css.reset();  // outside the sieves
+  CHECK_THAT(to_text(summary, "out"), Contains("  87 % below OSS\n"));
+  summary.product_below_css = 0.41;
+  summary.product_below_oss.reset();
+  CHECK_THAT(to_text(summary, "out"), Contains("  41 % below CSS\n"));
 }
 
 TEST_CASE("A summary that was read prints the same text, whatever it has") {
