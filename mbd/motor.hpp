@@ -21,7 +21,7 @@ namespace gyro {
 ///   model                            its name in case files and exported FMUs
 ///   for_each_parameter(f, motor)     calls f(key, unit, field, description) for each parameter the user gives
 ///   check()                          throws BadInput for a parameter that is out of range
-///   torque(speed, voltage)           [N m]; speed [rad/s], voltage / rated voltage [-]
+///   torque(speed, voltage)           [N m], continuous in the speed [rad/s]; voltage / rated voltage [-]
 ///   no_load_speed(), rated_speed()   [rad/s]: of zero torque; at which the user's losses are quoted
 ///   complete()                       optional: computes the derived parameters
 ///   rated_torque(), current(speed)   optional: of a name plate [N m]; current / rated current at rated voltage [-]

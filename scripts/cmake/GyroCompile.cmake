@@ -40,7 +40,7 @@ endif()
 # Bounds of buffers and return addresses are checked at run time.
 if(NOT GYRO_SANITIZE)  # which checks more
   target_compile_options(gyro_compile INTERFACE
-    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release,RelWithDebInfo>>:-fstack-protector-strong -D_FORTIFY_SOURCE=3>)
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release,RelWithDebInfo>>:-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3>)
 endif()
 add_link_options(LINKER:-z,relro,-z,now)
 

@@ -10,7 +10,7 @@
 
 /// The tables of results.h5, and what their columns read. A column is added in its table, which writes the dataset, its
 /// attributes and its lines in cases/OUTPUTS.md; what it needs beyond the reading is a member of the reading, filled in
-/// rows.cpp or liner_maps.cpp.
+/// reading.cpp or liner_maps.cpp.
 namespace gyro {
 
 /// Quantities of a coupling window, for the means of a row.
