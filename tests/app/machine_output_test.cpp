@@ -160,32 +160,34 @@ TEST_CASE("A directory that the file system refuses is bad input, and no abort")
   const Workplace place;
   const std::string name(300, 'x');
   for (const std::string command : {"report ", "export csv "}) CHECK(place.gyrosim(command + name).code == 2);
-  TEST_CASE("The share below a side setting that lies outside the sieves is missing") {
-    const Workplace place;  // settings of 15 mm and 20.4 mm
-    const std::string run = "run " + crush + " --until '1 ms' --set output.snapshots=0 --out ";
-    REQUIRE(place.gyrosim(run + "upper --set 'output.sieves=[20 mm, 1 m]'").code == 0);
-    REQUIRE(place.gyrosim(run + "lower --set 'output.sieves=[1 mm, 20 mm]'").code == 0);
-    CHECK(std::isnan(result_of(place.path() / "upper", "holdup/below_css").back()));
-    CHECK(result_of(place.path() / "upper", "holdup/below_oss").back() <= 1);
-    CHECK(result_of(place.path() / "lower", "holdup/below_css").back() <= 1);
-    CHECK(std::isnan(result_of(place.path() / "lower", "holdup/below_oss").back()));
-  }
+}
 
-  TEST_CASE("export csv writes every table, curves with the size of each sieve in its name") {
-    const Workplace place;
-    REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);
-    const auto first_line = [&](const std::string& table) {
-      const Outcome outcome = place.gyrosim("export csv run --table " + table);
-      CHECK(outcome.code == 0);
-      return outcome.out.substr(0, outcome.out.find('\n'));
-    };
-    CHECK(first_line("holdup").find(",passing_0.9766mm,passing_1.381mm,") != std::string::npos);
-    CHECK(first_line("product").find(",passing_1000mm,") != std::string::npos);
-    CHECK(first_line("breakage").starts_with("time_s,energy_J,"));
-    CHECK(first_line("ledger").starts_with("time_s,"));
-    const Outcome wrong = place.gyrosim("export csv run --table fragments");
-    CHECK(wrong.code == 2);
-    CHECK(wrong.err == "run has no table fragments; it has breakage, holdup, ledger, performance, product, series\n");
-    for (const std::string inner : {"/", "", "series/", "/series", "liners/mantle", "../run"})
-      CHECK(place.gyrosim("export csv run --table '" + inner + "'").code == 2);
-  }
+TEST_CASE("The share below a side setting that lies outside the sieves is missing") {
+  const Workplace place;  // settings of 15 mm and 20.4 mm
+  const std::string run = "run " + crush + " --until '1 ms' --set output.snapshots=0 --out ";
+  REQUIRE(place.gyrosim(run + "upper --set 'output.sieves=[20 mm, 1 m]'").code == 0);
+  REQUIRE(place.gyrosim(run + "lower --set 'output.sieves=[1 mm, 20 mm]'").code == 0);
+  CHECK(std::isnan(result_of(place.path() / "upper", "holdup/below_css").back()));
+  CHECK(result_of(place.path() / "upper", "holdup/below_oss").back() <= 1);
+  CHECK(result_of(place.path() / "lower", "holdup/below_css").back() <= 1);
+  CHECK(std::isnan(result_of(place.path() / "lower", "holdup/below_oss").back()));
+}
+
+TEST_CASE("export csv writes every table, curves with the size of each sieve in its name") {
+  const Workplace place;
+  REQUIRE(place.gyrosim("run " + crush + " --until '2 ms' --out run --set output.snapshots=0").code == 0);
+  const auto first_line = [&](const std::string& table) {
+    const Outcome outcome = place.gyrosim("export csv run --table " + table);
+    CHECK(outcome.code == 0);
+    return outcome.out.substr(0, outcome.out.find('\n'));
+  };
+  CHECK(first_line("holdup").find(",passing_0.9766mm,passing_1.381mm,") != std::string::npos);
+  CHECK(first_line("product").find(",passing_1000mm,") != std::string::npos);
+  CHECK(first_line("breakage").starts_with("time_s,energy_J,"));
+  CHECK(first_line("ledger").starts_with("time_s,"));
+  const Outcome wrong = place.gyrosim("export csv run --table fragments");
+  CHECK(wrong.code == 2);
+  CHECK(wrong.err == "run has no table fragments; it has breakage, holdup, ledger, performance, product, series\n");
+  for (const std::string inner : {"/", "", "series/", "/series", "liners/mantle", "../run"})
+    CHECK(place.gyrosim("export csv run --table '" + inner + "'").code == 2);
+}
