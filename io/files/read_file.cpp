@@ -49,6 +49,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t largest) {
   if (status.type() == std::filesystem::file_type::not_found)
     throw UnreadableFile(path, "no such file; check the path");
   if (std::filesystem::is_directory(status)) throw UnreadableFile(path, "is a directory; give a file");
+  if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
+    throw UnreadableFile(path, "is a device; give a file");
   const OpenFile file(path);
   constexpr std::size_t chunk = std::size_t{1} << 20;
   std::string bytes;

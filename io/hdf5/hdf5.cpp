@@ -99,6 +99,10 @@ File File::modify(const std::filesystem::path& path, const std::filesystem::path
   check(H5Pset(access.get(), "clear_status_flags", &yes), shown, "prepare");
   check(H5Pset(access.get(), "skip_eof_check", &yes), shown, "prepare");
   File file(own(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), shown, "open the file"), shown);
+  // A file that ends before what it says to hold was cut off.
+  haddr_t end = 0;
+  check(H5Fget_eoa(file.handle_.get(), &end), shown, "read the length");
+  if (std::filesystem::file_size(path) < end) throw OutputError(shown + ": the file is cut off");
   check(H5Fincrement_filesize(file.handle_.get(), 0), shown, "repair the file");
   return file;
 }

@@ -22,6 +22,14 @@ bool is_in(const ResultsContent& content, const ResultsGroup& group, const std::
          std::ranges::any_of(content.groups, [&](const ResultsGroup& other) { return other.name == path; });
 }
 
+/// Whether numbers are those that were written, in the precision of the file.
+bool same_numbers(const std::vector<double>& read, const FixedNumbers& fixed) {
+  const auto stored = [&](double number) {
+    return fixed.channel.number == hdf5::Number::float32 ? static_cast<double>(static_cast<float>(number)) : number;
+  };
+  return std::ranges::equal(read, fixed.numbers, {}, {}, stored);
+}
+
 void require_channels(const std::filesystem::path& path, const hdf5::File& file, const ResultsGroup& group,
                       const ResultsRows& keep) {
   for (const Channel& channel : group.channels) {
@@ -33,6 +41,9 @@ void require_channels(const std::filesystem::path& path, const hdf5::File& file,
     if (dataset.rows() < rows->second)
       throw refused(
           path, "has " + std::to_string(dataset.rows()) + " rows of " + name + ", not " + std::to_string(rows->second));
+    // Read all of it now: once rows are appended, the library waits for ever for a damaged block to become sound.
+    if (dataset.string_attribute("units") != channel.units) throw refused(path, "has another unit of " + name);
+    dataset.read();
   }
 }
 
@@ -45,6 +56,13 @@ void require_rows(const std::filesystem::path& path, const hdf5::File& file, con
       if (!is_in(content, group, child))
         throw refused(path, "has " + group.name + "/" + child + ", which would end here");
   }
+}
+
+/// @throws BadInput unless a file has the datasets that are written once, with the same numbers
+void require_fixed(const std::filesystem::path& path, const hdf5::File& file, const ResultsContent& content) {
+  for (const FixedNumbers& fixed : content.fixed)
+    if (!file.contains(fixed.name) || !same_numbers(file.dataset(fixed.name).read(), fixed))
+      throw refused(path, "has other numbers in " + fixed.name);
 }
 
 /// Drops all rows behind those to keep.
@@ -69,6 +87,7 @@ hdf5::File open_copy(const std::filesystem::path& path, const std::filesystem::p
   try {
     hdf5::File file = hdf5::File::modify(copy, path);
     require_rows(path, file, content, keep);
+    require_fixed(path, file, content);
     return file;
   } catch (const OutputError& problem) {
     throw refused(path, std::string("is damaged (") + problem.what() + ")");

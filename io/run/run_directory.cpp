@@ -139,6 +139,7 @@ RunDirectory open_named(const fs::path& path, const RunDirectoryRequest& request
 }
 
 void check_request(const RunDirectoryRequest& request) {
+  if (request.out && request.out->empty()) throw BadInput("--out is empty; give a directory");
   if (request.resume && request.overwrite)
     throw BadInput("--resume and --overwrite contradict each other; give only one of them");
   if (!request.out && (request.resume || request.overwrite))
@@ -150,7 +151,8 @@ void check_request(const RunDirectoryRequest& request) {
 
 std::shared_ptr<RunLock> lock_run_directory(const std::optional<fs::path>& out) {
   std::error_code error;
-  if (!out || !fs::is_directory(*out, error) || !has_any(*out, marks)) return {};
+  if (!out || !fs::is_directory(*out, error)) return {};
+  if (!has_any(*out, marks) && !fs::exists(*out / "run.lock", error)) return {};
   if (::access(out->c_str(), W_OK) != 0) return {};
   return std::make_shared<RunLock>(*out);
 }

@@ -7,6 +7,10 @@ using namespace gyro;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 
+TEST_CASE("A device is no file to read") {
+  CHECK_THROWS_WITH(read_file("/dev/zero"), Catch::Matchers::Contains("is a device"));
+}
+
 TEST_CASE("A whole file is read, whatever its bytes") {
   const ScratchDirectory folder;
   std::string bytes = "a\r\n";

@@ -287,6 +287,33 @@ TEST_CASE("A file whose writer was killed just after it was opened goes on") {
   CHECK(hdf5::File::open(path).dataset("/series/time").rows() == 5);
 }
 
+namespace {
+
+/// Resumes a file in a process of its own. @returns its exit code: 0, 2 for BadInput, 5 for OutputError; -1 after a
+/// crash, or when it takes more than 20 s
+int resume_in_child(const std::filesystem::path& path, int rows) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int signal : {SIGSEGV, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
+    ::alarm(20);
+    try {
+      ResultsFile results(path, full_content(), rows_of_series(rows));
+      append_rows(results, rows, rows + 50);
+      results.close();
+      ::_exit(0);
+    } catch (const BadInput&) {
+      ::_exit(2);
+    } catch (const OutputError&) {
+      ::_exit(5);
+    }
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
 TEST_CASE("A results file with a changed bit goes on or is refused, and neither hangs nor crashes") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
@@ -301,24 +328,21 @@ TEST_CASE("A results file with a changed bit goes on or is refused, and neither 
     changed[at] = static_cast<char>(changed[at] ^ (1 << (k % 8)));
     std::ofstream(path, std::ios::binary) << changed;
     CAPTURE(at, k % 8);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      for (const int signal : {SIGSEGV, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
-      ::alarm(20);
-      try {
-        ResultsFile(path, full_content(), rows_of_series(150)).close();
-        ::_exit(0);
-      } catch (const BadInput&) {
-        ::_exit(2);
-      } catch (const OutputError&) {
-        ::_exit(5);
-      }
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    CHECK(WIFEXITED(status));
-    CHECK((WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 2 || WEXITSTATUS(status) == 5));
-    refused += WIFEXITED(status) && WEXITSTATUS(status) != 0;
+    const int code = resume_in_child(path, 150);
+    CHECK((code == 0 || code == 2 || code == 5));
+    refused += code != 0;
   }
   CHECK(refused > 20);
+}
+
+TEST_CASE("A results file that was cut off is refused, and nothing hangs") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "results.h5";
+  write_run(path, 5000);
+  const std::string whole = bytes(path);
+  for (int part = 1; part < 40; ++part) {
+    std::ofstream(path, std::ios::binary) << whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 40);
+    CAPTURE(part);
+    CHECK(resume_in_child(path, 4000) == 2);
+  }
 }

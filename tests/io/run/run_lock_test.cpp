@@ -114,6 +114,12 @@ TEST_CASE("An open run directory cannot be opened again before it is closed") {
     CHECK_THROWS_WITH(lock_run_directory(folder.path()), Contains("still writing here"));
     CHECK(fs::file_size(folder.path() / "results.h5") == 4);  // of the first run, untouched
   }
+  std::filesystem::remove(folder.path() / "results.h5");
+  {
+    const RunLock just_begun(folder.path());  // a run that has not written anything yet
+    CHECK_THROWS_WITH(lock_run_directory(folder.path()), Contains("still writing here"));
+  }
+  std::ofstream(folder.path() / "results.h5") << "rows";
   const auto lock = lock_run_directory(folder.path());
   REQUIRE(lock);
   CHECK_NOTHROW(open_run_directory({.out = folder.path(), .overwrite = true, .lock = lock}));
