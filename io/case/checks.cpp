@@ -28,6 +28,14 @@ bool expect_name(const Setting* section, const std::string& name, const std::str
   return false;
 }
 
+/// A rolling law that a pair names needs a rolling friction, else it would do nothing.
+void check_rolling(const Setting& pair, CaseProblems& log) {
+  const Setting *law = pair.find("rolling"), *friction = pair.find("rolling_friction");
+  if (law == nullptr || !law->given || law->texts[0] == "constant") return;
+  if (friction == nullptr || friction->numbers[0] > 0) return;
+  log.add(law->mark, "rolling: " + law->texts[0] + " does nothing without friction; give rolling_friction above 0");
+}
+
 /// Pairs that can touch must have surface properties; each pair is given once.
 void check_contacts(const Setting& root, CaseProblems& log) {
   constexpr std::size_t max_materials = 1000;  // their pairs are a square table
@@ -50,6 +58,7 @@ void check_contacts(const Setting& root, CaseProblems& log) {
     if (std::find(given.begin(), given.end(), pair) != given.end())
       log.add(contact.mark, "the pair " + in_quotes(contact.name) + " is given in both orders; give it once");
     given.push_back(pair);
+    check_rolling(contact, log);
   }
   // A misspelt pair is probably the one that seems to be missing; without particles nothing can touch.
   if (!all_known || (root.find("feed") == nullptr && root.find("particles") == nullptr)) return;

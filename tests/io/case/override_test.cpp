@@ -83,6 +83,8 @@ TEST_CASE("Forms that do not fit together are refused") {
           "rocks.shapes.corners cannot be combined with rocks.shapes.procedural");
   refused("rocks.shapes={procedural: 3, roughness: 2}", "between 0 and 0.3");
   refused("rocks.fill={sizes: [45 mm, 8 mm]}", "does not rise");
+  refused("contacts.rock/rock={friction: 0.5, restitution: 0.2, rolling: spring_dashpot}",
+          "give rolling_friction above 0");
   refused("output.sieves=[2 mm, 5 mm, 5 mm]", "output.sieves does not rise here");
   refused("output.sieves=[2 mm]", "give a list of at least two values, each larger than the one before");
   refused("rocks.fill={ratio: 1}", "between 2 and 50");
