@@ -42,9 +42,9 @@ struct SteadyLimits {
 
 /// The earliest gyration from which on, to the end of the run, hold-up, speed and power have no drift: the lines fitted
 /// to hold-up and to the duration of a gyration change by less than holdup_drift and speed_drift of their means, and
-/// the mean powers of both halves differ by less than power_change or two standard errors. None when there is no such
-/// gyration, or too few follow it because the run is too short. A chamber that fills more slowly than the limit
-/// also counts as steady: check the hold-up.
+/// the mean powers of both halves differ by less than power_change or by less than two standard errors. A chamber that
+/// fills more slowly than the limit also counts as steady: check the hold-up.
+/// @return nothing if the run never becomes steady, or if fewer than min_gyrations follow
 /// @param sizes   openings [m] of SteadyState::below
 /// @param sieves  of GyrationRecord::sieve_mass [m]
 std::optional<SteadyState> steady_state(const GyrationRecord& record, std::span<const double> sizes = {},

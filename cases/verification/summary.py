@@ -6,7 +6,7 @@ import sys
 import h5py
 
 run, probe = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else "0"
-with h5py.File(f"{run}/results.h5") as file:
+with h5py.File(f"{run}/results.h5", swmr=True) as file:
     series = file["series"]
     print("time", series["time"][-1], "s")
     for quantity in "position", "velocity", "spin":

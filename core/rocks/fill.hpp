@@ -62,7 +62,7 @@ struct FillJob {
 };
 
 /// Puts the shape into a jammed packing, at a random position and orientation, and takes the spheres whose centre is
-/// inside. So there is no thin layer at the surface, and on average the packing fraction is that of the packing. Of
+/// inside. On average the rock has the packing fraction of the packing, up to its surface. Of
 /// sixteen cuts (four if there are thousands of spheres) it uses the one whose mass and inertia are nearest to those of
 /// the shape filled evenly; spheres not bonded to the largest piece are dropped. A smooth fill is not cut.
 /// @throws BadInput if the rule is out of range, a smooth shape is not convex, the rock is too small or too large for

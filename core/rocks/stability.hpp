@@ -23,7 +23,7 @@ struct BedContacts {
 /// Bed contacts are assumed isotropic, and the other end of each moves in counterphase, which is an upper bound for any
 /// arrangement of contacts: diagonal 2 number (S_n + 2 S_t)/3 for translations and 2 number (2/3) S_t R^2 for
 /// rotations, damping alike.
-/// @return infinity if there is no stiffness
+/// @return [s]; infinity if all stiffnesses are zero
 double critical_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
 
 /// The same for a single loose particle [s]. @param radius [m] @param density [kg/m3]

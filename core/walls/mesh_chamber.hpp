@@ -29,7 +29,8 @@ struct MeshReport {
     double z, minimum, largest;  ///< over azimuth, on the closed side [m], [rad], [rad]
   };
   std::vector<NipAngle> nip_angle;  ///< chords over a fiftieth of the chamber's height, upwards
-  double bridged;  ///< share of the radii that were interpolated because there is no surface, of the worse liner [-]
+  /// Share of the radii that were interpolated across gaps of the mesh: the larger one of mantle and concave [-].
+  double bridged;
 };
 
 /// Measures the chamber: the settings over a gyration, everything else from sections by azimuth and height.

@@ -108,7 +108,7 @@ struct Summary {
 /// A member of summary.json, for the reference of outputs.
 struct SummaryMember {
   std::string name;         ///< of a member of a member: "steady.from"
-  std::string units;        ///< "1" for a pure number, "-" for what is no number
+  std::string units;        ///< "1" for a pure number, "-" for text, lists and yes/no values
   std::string when;         ///< else it is null
   std::string description;  ///< one line
 };

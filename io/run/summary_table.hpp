@@ -122,7 +122,7 @@ class FigureValue {
 template <class S>
 struct Figure {
   Text name;
-  Text units;  ///< "1" for a pure number, "-" for what is no number
+  Text units;  ///< "1" for a pure number, "-" for text, lists and yes/no values
   FigureValue<S> value;
   Text description;
   const char* when = "always";              ///< else it is null

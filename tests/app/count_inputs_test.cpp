@@ -29,7 +29,7 @@ Timed timed(const Workplace& place, const std::string& arguments, double enough)
   return best;
 }
 
-void refused(const Workplace& place, const std::string& options, const std::string& reason) {
+void check_refused(const Workplace& place, const std::string& options, const std::string& reason) {
   INFO(options);
   for (const std::string command : {"check ", "run --out made "}) {
     const Timed call = timed(place, command + quickstart + options, 5);
@@ -47,17 +47,17 @@ TEST_CASE("The whole grading of a plant and sizes in metres are refused with the
   place.write("plant.csv", "size_mm,passing_percent\n0.05,0\n0.075,5\n10,40\n60,100\n");
   place.write("metres.csv", "size_mm,passing_percent\n0.03,0\n0.06,100\n");
   const std::string sieves = no_passing + " --set rocks.sizes.sieves=\"$PWD\"/";
-  refused(place, sieves + "plant.csv", "particles and");
-  refused(place, sieves + "metres.csv", "(rocks of 0.03");
-  refused(place, " --set feed.initial=1e300", "more than 2e9 particles");
-  refused(place, " --set feed.initial=null --set feed.initial_top=null --set feed.rate='1e9 t/h'",
-          "the feed adds more than");
+  check_refused(place, sieves + "plant.csv", "particles and");
+  check_refused(place, sieves + "metres.csv", "(rocks of 0.03");
+  check_refused(place, " --set feed.initial=1e300", "more than 2e9 particles");
+  check_refused(place, " --set feed.initial=null --set feed.initial_top=null --set feed.rate='1e9 t/h'",
+                "the feed adds more than");
 }
 
 TEST_CASE("Absurd times are refused with the count of steps") {
   const Workplace place;
-  refused(place, " --set time.duration='1e300 s'", "steps, more than 1e15");
-  refused(place, " --set coupling.interval='1e6 s'", "more than 1e9 steps");
+  check_refused(place, " --set time.duration='1e300 s'", "steps, more than 1e15");
+  check_refused(place, " --set coupling.interval='1e6 s'", "more than 1e9 steps");
 }
 
 TEST_CASE("check counts a million rocks without placing all of them") {
@@ -112,9 +112,9 @@ TEST_CASE("check tries a run on the threads that it is given") {
 TEST_CASE("Absurd lengths, tiny restitutions and impossible names are refused with the reason") {
   const Workplace place;
   place.write("profile.csv", "z_m,mantle_radius_m,concave_radius_m\n0,0.1,1e9\n0.4,0.05,1e9\n");
-  refused(place, " --set crusher.profile=\"$PWD\"/profile.csv", "more than 1 km");
-  refused(place, " --set crusher.pivot_height='1e9 m'", "is more than 1 km; check the unit");
-  refused(place, " --set contacts.rock/rock.restitution=3e-13", "must be between 0.001 and 1");
+  check_refused(place, " --set crusher.profile=\"$PWD\"/profile.csv", "more than 1 km");
+  check_refused(place, " --set crusher.pivot_height='1e9 m'", "is more than 1 km; check the unit");
+  check_refused(place, " --set contacts.rock/rock.restitution=3e-13", "must be between 0.001 and 1");
   const std::string longest(300, 'x');
   for (const std::string command : {"run ", "liners ", "library "}) {
     const Outcome named = place.gyrosim(command + quickstart + " --out " + longest);

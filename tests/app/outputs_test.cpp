@@ -26,7 +26,8 @@ std::string path_of(const json& entry) {
   return entry["group"].get<std::string>() + "/" + entry["name"].get<std::string>();
 }
 
-/// Whether a path is that of an entry. `name` gets the text, without slashes, that replaces its placeholder.
+/// Whether a path of a file is described by a pattern such as "/liners/<wall>/work".
+/// @param name  set to the part of the path that stands for <...>
 bool fits(const std::string& path, const std::string& pattern, std::string& name) {
   const std::size_t open = pattern.find('<');
   if (open == std::string::npos) return path == pattern;

@@ -130,7 +130,7 @@ struct Table {
   std::vector<Column<Now, Window>> columns;
 };
 
-/// `text` with `name` in place of the placeholder.
+/// Replaces the placeholder in a path by a name: "/liners/<wall>" and "mantle" give "/liners/mantle".
 inline std::string fill_in(std::string text, const std::string& placeholder, const std::string& name) {
   if (const std::size_t at = text.find(placeholder); at != std::string::npos)
     text.replace(at, placeholder.size(), name);

@@ -93,9 +93,9 @@ the interval that it stands for; `sampling` says how:
 * `mean`: the mean over the interval. Powers, torques, forces and rates.
 * `sum`: the sum over the interval.
 
-Units are SI; 1 is a pure number, - is no number. A figure of summary.json whose unit is not SI ends in the unit (`_tph`:
-t/h, `_kwh_per_t`: kWh/t); `_seconds` tells two clocks apart, `_fraction` and `_share` are pure numbers, and `_error` behind a
-name is the standard error of that figure in the same unit. What a case does not have is left out. `<wall>` stands for the name of a
+Units are SI. The unit of a pure number is 1; text, lists and yes/no values have the unit -. In summary.json, the name of a figure
+ends in its unit if that is not SI (`_tph`: t/h, `_kwh_per_t`: kWh/t). `_seconds` marks times, simulated or of the clock; `_fraction` and
+`_share` mark pure numbers; `_error` behind the name of a figure marks its standard error, in the same unit. What a case does not have is left out. `<wall>` stands for the name of a
 wall, `<id>` for the id of a particle.
 )";
 

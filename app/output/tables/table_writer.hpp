@@ -26,7 +26,7 @@ class TableWriter {
   };
 
   /// @param array  numbers of the table's arrays
-  /// @param group  name in this run, if the name of the table has a placeholder
+  /// @param group  path in results.h5, such as "/liners/mantle"; empty: that of the table
   TableWriter(const Table<Now, Window>& table, const OutputForm& form, std::size_t array = 0, std::string group = {}) {
     declaration_.name = group.empty() ? std::string(table.group) : std::move(group);
     std::size_t means = 0;

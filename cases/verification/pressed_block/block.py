@@ -10,8 +10,11 @@ and bonds are those of app/verify/groups/pressed_block.cpp, from the same random
 import argparse
 import math
 import pathlib
-import subprocess
+import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from lammps_runs import run_lammps, uniform  # noqa: E402: beside the folders of the cases
 
 RADIUS, DENSITY = 0.01, 2600.0  # [m], [kg/m3]
 CELLS = (6, 6, 8)  # of a face-centred cubic lattice
@@ -20,17 +23,6 @@ YOUNGS, POISSON = 1.5039e9, 0.35
 KN, KS = 1.67e12, 6.67e11  # stiffness of a bond per area [Pa/m]
 SPEED = 1.0  # of each plate [m/s]
 DURATION, ROWS = 5e-4, 5  # [s]
-WORD = 0xFFFFFFFF
-
-
-def uniform(seed, stream, thing, draw):
-    """Philox4x32-10 (Salmon et al. 2011) as core/math/random.hpp uses it: a number in (0, 1)."""
-    key, c = [seed & WORD, seed >> 32], [thing & WORD, thing >> 32, draw, stream]
-    for _ in range(10):
-        a, b = 0xD2511F53 * c[0], 0xCD9E8D57 * c[2]
-        c = [(b >> 32) ^ c[1] ^ key[0], b & WORD, (a >> 32) ^ c[3] ^ key[1], a & WORD]
-        key = [(key[0] + 0x9E3779B9) & WORD, (key[1] + 0xBB67AE85) & WORD]
-    return (((c[0] << 20) | (c[1] >> 12)) + 0.5) / 2.0**52
 
 
 def centres():
@@ -119,8 +111,9 @@ def stretched(path, spring):
     found = {}
     for part in path.read_text().split("ITEM: TIMESTEP")[1:]:
         head, body = part.split("ITEM: ENTRIES")
-        pairs = [tuple(map(float, line.split())) for line in body.splitlines()[1:]]
-        found[int(head.split()[0])] = (0.5 * spring * sum((now - free) ** 2 for now, free in pairs), len(pairs))
+        lengths = [tuple(map(float, line.split())) for line in body.splitlines()[1:]]
+        energy = 0.5 * spring * sum((length - length_at_rest) ** 2 for length, length_at_rest in lengths)
+        found[int(head.split()[0])] = energy, len(lengths)
     return found
 
 
@@ -132,12 +125,7 @@ def press(arguments):
         write_block(at / "block.data", places, bonds(places))
         given = variables(arguments, places)
         given |= {"block": at / "block.data", "forces": at / "forces.txt", "rows": at / "rows.txt", "bonds": at / "bonds.txt"}
-        command = [arguments.lmp, "-log", "none", "-in", str(pathlib.Path(__file__).with_name("block.lmp"))]
-        for name, value in given.items():
-            command += ["-var", name, str(value)]
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode:
-            raise SystemExit(f"block.py: {arguments.lmp} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        run_lammps(arguments.lmp, pathlib.Path(__file__).with_name("block.lmp"), given)
         forces, rows = numbers(at / "forces.txt"), numbers(at / "rows.txt")
         bonded = stretched(at / "bonds.txt", float(given["kr"]))
     every, table = given["every"], []

@@ -11,24 +11,16 @@ import argparse
 import math
 import pathlib
 import statistics
-import subprocess
+import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from lammps_runs import run_lammps, uniform  # noqa: E402: beside the folders of the cases
 
 DIAMETER, DENSITY = 0.01, 2600.0  # [m], [kg/m3]
 CYLINDER, FILLING, LIFT = 0.045, 0.16, 0.08  # radius, height [m], speed [m/s]
 YOUNGS, POISSON, RESTITUTION = 2e6, 0.3, 0.5
 STEP, DURATION = 1.6e-4, 2.4  # [s]
-WORD = 0xFFFFFFFF
-
-
-def uniform(seed, stream, thing, draw):
-    """Philox4x32-10 (Salmon et al. 2011) as core/math/random.hpp uses it: a number in (0, 1)."""
-    key, c = [seed & WORD, seed >> 32], [thing & WORD, thing >> 32, draw, stream]
-    for _ in range(10):
-        a, b = 0xD2511F53 * c[0], 0xCD9E8D57 * c[2]
-        c = [(b >> 32) ^ c[1] ^ key[0], b & WORD, (a >> 32) ^ c[3] ^ key[1], a & WORD]
-        key = [(key[0] + 0x9E3779B9) & WORD, (key[1] + 0xBB67AE85) & WORD]
-    return (((c[0] << 20) | (c[1] >> 12)) + 0.5) / 2.0**52
 
 
 def spheres(seed):
@@ -105,12 +97,7 @@ def heap(arguments, seed):
         at = pathlib.Path(folder)
         write_spheres(at / "spheres.data", spheres(seed))
         given = variables(arguments) | {"spheres": at / "spheres.data", "places": at / "places.txt"}
-        command = [arguments.lmp, "-log", "none", "-in", str(pathlib.Path(__file__).with_name("heap.lmp"))]
-        for name, value in given.items():
-            command += ["-var", name, str(value)]
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode:
-            raise SystemExit(f"heap.py: {arguments.lmp} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        run_lammps(arguments.lmp, pathlib.Path(__file__).with_name("heap.lmp"), given)
         return angle(at / "places.txt")
 
 

