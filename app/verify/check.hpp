@@ -14,7 +14,7 @@ struct Check {
   std::string precision;
   double measured = 0, reference = 0;
   double error = 0;      ///< |measured - reference|, over |reference| where the check is relative
-  double tolerance = 0;  ///< of the error
+  double tolerance = 0;  ///< largest error that passes
   std::string source;    ///< of the reference
   bool pass() const { return error <= tolerance; }  // an error that is not a number does not pass
 };

@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the constants of oblique.cpp and spin.cpp that have no closed form: impacts of a sphere on a rigid wall that stick for a while.
+"""Prints the reference values of oblique.cpp and spin.cpp that have no closed form.
 
-An integration of its own: Hertz normal force; the tangential spring is a displacement s with force S_t s, where
-loading lengthens no spring (S_t ds/dt = S_t slip - s dS_t/dt) and unloading keeps s; Coulomb; damping
-2 sqrt(5/6) zeta sqrt(S m) in both directions, none while sliding. Midpoint rule, 40,000 steps a contact.
+They belong to impacts of a sphere on a rigid wall during which the contact sticks for part of the time. The script integrates
+the impact independently of the engine, by the midpoint rule with 10,000 steps per elastic contact. The normal force is Hertz's.
+The tangential spring has the elongation s and the force S_t s: while the contact is loaded, a growing S_t leaves the force
+unchanged (S_t ds/dt = S_t slip - s dS_t/dt); while it is unloaded, s is kept. Coulomb's law limits the tangential force. The
+damping is 2 sqrt(5/6) zeta sqrt(S m) in both directions; the tangential one is zero during sliding.
 """
 from math import acos, acosh, cos, exp, pi, radians, sin, sqrt
 
@@ -12,7 +14,7 @@ STEPS = 10_000
 
 
 def zeta_of(e):
-    """Damping that gives a restitution e for a force that cannot pull."""
+    """Damping ratio that gives the restitution e, for a contact force that cannot pull."""
     def restitution(z):
         if abs(1 - z * z) < 1e-9:
             return exp(-2)
@@ -25,7 +27,7 @@ def zeta_of(e):
 
 
 def impact(youngs, nu, density, radius, slide, fall, spin, mu, e):
-    """Velocity along the wall, spin and rebound speed after the impact."""
+    """Returns the velocity along the wall, the angular velocity and the rebound speed after the impact."""
     plane, shear = youngs / (1 - nu**2), youngs / (2 * (1 + nu)) / (2 - nu)
     mass = density * 4 / 3 * pi * radius**3
     inertia = 0.4 * mass * radius**2

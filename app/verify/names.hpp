@@ -7,11 +7,11 @@
 
 namespace gyro::verify {
 
-/// Names of checks, group/case/quantity, by the name of their verification, group/case.
+/// For each verification, by its name group/case, the names of its checks, group/case/quantity.
 using CheckNames = std::map<std::string, std::vector<std::string>>;
 
-/// The names of all checks, from names.txt. Only a run of a verification tells the names of its checks; with this list
-/// a filter selects verifications, or finds that none fits, before anything runs.
+/// The names of all checks, from names.txt. The names of a verification's checks are known only after it has run. With
+/// this list a filter can select verifications, or report that none matches, before anything runs.
 CheckNames check_names();
 
 }  // namespace gyro::verify

@@ -22,27 +22,27 @@ std::regex expression(const std::string& text) {
     return std::regex(text, std::regex::ECMAScript | std::regex::icase);
   } catch (const std::regex_error& problem) {
     throw BadInput("--filter: '" + text + "' is not a regular expression (" + problem.what() +
-                   "); write one in ECMAScript's syntax, it is searched in group/case/quantity");
+                   "); give one in ECMAScript syntax, which is searched in group/case/quantity");
   }
 }
 
-/// Empty if the list has no names for it.
+/// Names of the checks of a verification; empty if the list has none.
 std::vector<std::string> names_of(const CheckNames& names, const Verification& verification) {
   const auto found = names.find(verification.name);
   return found == names.end() ? std::vector<std::string>{} : found->second;
 }
 
 BadInput nothing_fits(std::span<const Verification> verifications, const std::string& filter, bool only_nightly) {
-  if (only_nightly) return BadInput("--filter: only nightly checks fit '" + filter + "'; add --nightly to run them");
+  if (only_nightly) return BadInput("--filter: only nightly checks match '" + filter + "'; add --nightly to run them");
   std::string groups, last;
   for (const Verification& v : verifications)
     if (v.group() != last) groups += " " + (last = v.group());
-  return BadInput("--filter: no check fits '" + filter +
-                  "'; give a part of a name group/case/quantity, the groups are" + groups);
+  return BadInput("--filter: no check matches '" + filter +
+                  "'; give a part of a name group/case/quantity; the groups are" + groups);
 }
 
-/// The verifications with a check that the filter fits. One without listed names is among them: running it shows what
-/// the list lacks. @throws BadInput if there is none
+/// The verifications that have a check whose name matches the filter. A verification without listed names is selected,
+/// too, because only its run shows which names the list lacks. @throws BadInput if no verification matches
 std::vector<const Verification*> selected(std::span<const Verification> verifications, const CheckNames& names,
                                           const ReportOptions& options) {
   const std::regex filter = expression(options.filter);
@@ -62,7 +62,7 @@ std::vector<const Verification*> selected(std::span<const Verification> verifica
   return found;
 }
 
-/// Names that are only in the list or only among the checks that ran.
+/// Names that are in the list but did not run, and names that ran but are not in the list.
 std::vector<std::string> differing_names(const std::vector<std::string>& listed, const std::vector<Check>& checks) {
   std::set<std::string> ran;
   for (const Check& check : checks) ran.insert(check.name);
@@ -79,12 +79,12 @@ struct GroupTotal {
 };
 
 void print_head() {
-  std::printf("%-4s %-52s %-6s %14s %14s %9s %9s  %s\n", "", "check", "loads", "measured", "reference", "error",
+  std::printf("%-4s %-52s %-9s %14s %14s %9s %9s  %s\n", "", "check", "precision", "measured", "reference", "error",
               "tolerance", "source");
 }
 
 void print(const Check& c) {
-  std::printf("%-4s %-52s %-6s %14.8g %14.8g %9.2g %9.2g  %s\n", c.pass() ? "ok" : "FAIL", c.name.c_str(),
+  std::printf("%-4s %-52s %-9s %14.8g %14.8g %9.2g %9.2g  %s\n", c.pass() ? "ok" : "FAIL", c.name.c_str(),
               c.precision.c_str(), c.measured, c.reference, c.error, c.tolerance, c.source.c_str());
   std::fflush(stdout);
 }
@@ -113,7 +113,8 @@ nlohmann::json to_json(const GroupTotal& g) {
   return {{"name", g.name}, {"checks", g.checks}, {"failed", g.failed}, {"seconds", g.seconds}};
 }
 
-/// Prints checks as lines while they come, or all of them as JSON at the end; keeps the totals of the groups.
+/// Prints each check as a line as soon as it has run, or all checks as JSON at the end. Adds up the totals of the
+/// groups.
 class Printer {
  public:
   explicit Printer(bool json) : json_(json) {
@@ -170,7 +171,7 @@ bool report(std::span<const Verification> verifications, const CheckNames& names
   const bool passed = printer.finish();
   if (!differing.empty())
     throw std::logic_error("app/verify/names.txt and the checks that ran differ in" + differing +
-                           "; scripts/verify_names.py rewrites the list");
+                           "; run scripts/verify_names.py to rewrite the list");
   return passed;
 }
 

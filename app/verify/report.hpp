@@ -11,15 +11,15 @@ namespace gyro::verify {
 /// What to run and how to print it.
 struct ReportOptions {
   std::string filter;    ///< regular expression, searched in the names of checks; empty: all
-  bool nightly = false;  ///< the long verifications as well
-  bool json = false;     ///< one JSON document in place of lines and a table of the groups
+  bool nightly = false;  ///< also run the long verifications
+  bool json = false;     ///< print one JSON document in place of lines and a table of the groups
 };
 
-/// Runs the verifications that have a check with a name that the filter fits, and prints these checks.
+/// Runs the verifications that have a check whose name matches the filter, and prints the matching checks.
 /// @param names  of the checks of all verifications
 /// @return whether all printed checks passed
-/// @throws BadInput for a filter that is not a regular expression or that fits no check; std::logic_error at the end if
-/// the checks that ran have other names than `names`
+/// @throws BadInput for a filter that is not a regular expression or that matches no check; std::logic_error at the end
+/// if the names of the checks that ran differ from `names`
 bool report(std::span<const Verification> verifications, const CheckNames& names, const ReportOptions& options);
 
 }  // namespace gyro::verify

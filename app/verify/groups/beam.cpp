@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cantilevers of bonded spheres against the exact discrete beam.
+// Cantilevers of bonded spheres against the exact solution of the discrete beam.
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/rocks.hpp"
 #include "app/verify/fixtures/scenes.hpp"
@@ -17,14 +17,15 @@ namespace {
 using namespace fixtures;
 using std::numbers::pi;
 
-/// A cantilever of n spheres beyond the clamp, with the deflection per tip load and the first bending frequency of the
-/// discrete beam. Its spheres are rigid and its bonds bend at mid-gap:
-///   deflection/P = L^2 n (4 n^2 - 1)/(12 k_n I) + n/(k_s A),
-/// frequency from the eigenvalue problem. The axial and the torsional one have the closed form of chain_frequency().
+/// A cantilever of n spheres beyond the clamped one, with the reference values of the discrete beam, in which the
+/// spheres are rigid and the bonds bend at mid-gap. The deflection at the tip under a tip load P is
+///   deflection/P = L^2 n (4 n^2 - 1)/(12 k_n I) + n/(k_s A).
+/// The first bending frequency comes from the eigenvalue problem. The axial and torsional frequencies have the closed
+/// form of chain_frequency().
 struct Beam {
   int n;
-  double compliance, bending;                  ///< [m/N], [Hz]
-  double slender_compliance, slender_bending;  ///< Euler-Bernoulli with E I = k_n I L and length n L
+  double compliance, bending;                  ///< deflection/P [m/N], first bending frequency [Hz]
+  double slender_compliance, slender_bending;  ///< by Euler and Bernoulli, with E I = k_n I L and length n L
 };
 constexpr std::array<Beam, 4> beams{{{5, 3.154522e-5, 145.897, 3.176745e-5, 175.767},
                                      {10, 2.536952e-4, 39.904, 2.541396e-4, 43.942},
@@ -34,7 +35,7 @@ constexpr std::array<Beam, 4> beams{{{5, 3.154522e-5, 145.897, 3.176745e-5, 175.
 const std::string discrete = "L^2 n(4n^2-1)/(12 kn I) + n/(ks A), exact discrete beam";
 const std::string eigenvalue = "eigenvalues of the discrete beam";
 
-/// First frequency of n equal inertias on equal springs, one end fixed [Hz].
+/// First frequency of a chain of n equal inertias and n equal springs with one fixed end [Hz].
 double chain_frequency(int n, double stiffness, double inertia) {
   return std::sqrt(stiffness / inertia) / pi * std::sin(pi / (2 * (2 * n + 1)));
 }
@@ -43,14 +44,15 @@ struct Bent {
   double compliance, frequency;  ///< [m/N], [Hz]
 };
 
-/// A cantilever whose tip a smooth plate slowly presses down, and one that oscillates freely. Both move without loss
-/// for 20 periods of bending; means under a smooth window leave out what still oscillates.
+/// Runs two cantilevers without damping for 20 bending periods: a frictionless plate slowly presses the tip of the
+/// first one down, and the second one oscillates freely. Means under a smooth window cancel the oscillations of the
+/// first one.
 Bent bend(const Beam& beam, Precision precision) {
   constexpr int samples = 1600;
   const double time = 20 / beam.bending, length = beam.n * grain;
   const int every = static_cast<int>(std::ceil(time / samples / 8e-6));
   Scene scene = bonded_scene(time / samples / every, paper_bonds(), {0, 0.05, 0});
-  // The contact is stiff, so that its overlap, which does not grow evenly, hardly accelerates the tip.
+  // The contact is stiff: its overlap does not grow uniformly, so a soft contact would accelerate the tip.
   scene.materials = {elastic(1.5e12, 0.35, rock_density), rigid()};
   const double edge = length - grain / 3, top = grain / 2;
   scene.walls = {
@@ -59,7 +61,7 @@ Bent bend(const Beam& beam, Precision precision) {
        LinearMotion{{0, 0, -1e-4 * length / time}}, 1}};
   Stage stage(scene, precision);
   NewRock free = placed(cantilever(1, beam.n), 1, 1000, {0, 1, 0});
-  for (int k = 1; k <= beam.n; ++k)  // close to the first mode
+  for (int k = 1; k <= beam.n; ++k)  // initial velocities close to the first mode
     free.particles[static_cast<std::size_t>(k)].velocity.z = 1e-4 * length * beam.bending * k * k / (beam.n * beam.n);
   stage.insert({cantilever(0, beam.n), free});
 
@@ -70,7 +72,7 @@ Bent bend(const Beam& beam, Precision precision) {
     stage.advance(every);
     const ParticleSnapshot s = stage.dem().particles();
     const double now = -s.position[tip].z;
-    deflection.x.push_back(0.5 * (before + now));  // like the load, which is the mean of both ends of every step
+    deflection.x.push_back(0.5 * (before + now));  // as for the load, which is the mean of both ends of every step
     before = now;
     load.x.push_back(stage.dem().wall_loads()[0].force.z);
     swing.x.push_back(s.position[2 * tip + 1].z);
@@ -86,7 +88,7 @@ void bending(Recorder& out) {
     out.relative("deflection-" + n, got[b].compliance, beams[b].compliance, {1e-6, 1e-6}, discrete);
     out.relative("frequency-" + n, got[b].frequency, beams[b].bending, {2e-4, 2e-4}, eigenvalue);
   }
-  // The discrete beam differs from the slender one by terms of 1/n (frequency) and 1/n^2 (deflection).
+  // The discrete beam differs from the Euler-Bernoulli beam by terms of order 1/n (frequency) and 1/n^2 (deflection).
   const Bent &coarse = got[2], &fine = got[3];
   const auto order = [](double a, double b) { return std::log2(a / b); };
   out.within("order-to-slender-frequency",
@@ -98,7 +100,7 @@ void bending(Recorder& out) {
       1.9, 2.2, "Euler-Bernoulli, O(1/n^2)");
 }
 
-/// First axial and torsional mode at once: they do not influence each other.
+/// The first axial and the first torsional mode in one run, as they do not influence each other.
 void chain_modes(Recorder& out) {
   const BondStiffness k(paper_bonds());
   const double mass = sphere_mass(grain / 2, rock_density), inertia = 0.1 * mass * grain * grain;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One bond between two spheres whose motion is prescribed: stiffness, strength, and forces after failure.
+// One bond between two spheres with prescribed motion: stiffness, strength, and forces after failure.
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/rocks.hpp"
 #include "app/verify/fixtures/scenes.hpp"
@@ -19,12 +19,13 @@ using std::numbers::pi;
 
 const std::string source = "Potyondy & Cundall, IJRMMS 41 (2004) 1329";
 
-// With the paper's bonds: k_n A, k_s A, k_n I, k_s J, and the loads and strains of failure.
+// Of the paper's bonds: k_n A, k_s A [N/m], k_n I, k_s J [N m/rad]; displacements, rotations and loads at failure.
 constexpr double normal = 1.311615e8, shear = 5.238606e7, bending = 819.759, torsion = 654.826;
 constexpr double stretch = 21.5569e-6, slide = 35.9820e-6, bend = 4.311377e-3, twist = 7.196402e-3;  // [m], [rad]
 constexpr double tension_force = 2827.433, shear_force = 1884.956, bending_moment = 3.534292, torque = 4.712389;
 
-/// Motion of the ends by the time the loading is complete: j moves by `shift`, both rotate by small angles.
+/// Motion of the two ends i and j when the loading is complete: j has moved by `shift`, and both have rotated by small
+/// angles.
 struct Loading {
   Vec3d shift{0, 0, 0}, rotation_i{0, 0, 0}, rotation_j{0, 0, 0};  ///< [m], [rad]
 };
@@ -36,12 +37,13 @@ Loading operator*(double s, const Loading& a) {
   return {s * a.shift, s * a.rotation_i, s * a.rotation_j};
 }
 
-// Each alone brings the bond to failure. The ends bend in opposite directions, so that bending causes no shear.
+// Each of these loadings alone brings the bond to failure. In bending, the ends rotate in opposite directions, so that
+// there is no shear.
 const Loading pull{{stretch, 0, 0}}, shove{{0, slide * 0.6, slide * 0.8}};
 const Loading bow{{0, 0, 0}, {0, -0.3 * bend, -0.4 * bend}, {0, 0.3 * bend, 0.4 * bend}};
 const Loading wring{{0, 0, 0}, {-twist / 2, 0, 0}, {twist / 2, 0, 0}};
 
-/// Two immovable spheres and their bond. The loading is complete half a step before the step number `steps`.
+/// Two immovable spheres and their bond. The loading is complete half a step before step number `steps`.
 class Press {
  public:
   static constexpr int steps = 10000;
@@ -63,10 +65,10 @@ class Press {
   }
 
   Stage& stage() { return stage_; }
-  /// Share of the loading that is reached now.
+  /// Share of the loading that has been applied so far.
   double share() const { return stage_.time() / ((steps - 0.5) * dt); }
   Vec3d force_on_j() { return stage_.dem().particles().force[1]; }
-  /// Torque on an end that grows evenly from the start on [N m].
+  /// Present torque on an end, for a torque that has grown linearly since the start [N m].
   Vec3d torque_on(int end) {
     const ParticleSnapshot s = stage_.dem().particles();
     const auto k = static_cast<std::size_t>(end);
@@ -93,7 +95,7 @@ class Press {
 
 void stiffness(Recorder& out) {
   const double small = 1e-3;
-  const Tolerance tolerance{1e-6, 1e-6};  // digits of the references
+  const Tolerance tolerance{1e-6, 1e-6};  // the references have seven digits
   const auto loaded = [&](const Loading& loading) {
     Press press(small * loading, out.precision());
     press.stage().advance(1000);
@@ -103,14 +105,15 @@ void stiffness(Recorder& out) {
   out.relative("normal", -tension.force_on_j().x / (tension.share() * small * stretch), normal, tolerance, source);
   const Vec3d f = across.force_on_j();
   out.relative("shear", -(0.6 * f.y + 0.8 * f.z) / (across.share() * small * slide), shear, tolerance, source);
-  // The torque is measured on i, which stays at rest: only j rotates, and moves so that the bond is not sheared at i.
+  // The torque is measured on i, which does not rotate. Only j rotates, and it moves so that the bond is not sheared at
+  // i.
   Press bent = loaded({{0, 0, -bend * grain / 2}, {0, 0, 0}, {0, bend, 0}});
   out.relative("bending", bent.torque_on(0).y / (bent.share() * small * bend), bending, tolerance, source);
   Press twisted = loaded({{0, 0, 0}, {0, 0, 0}, {twist, 0, 0}});
   out.relative("torsion", twisted.torque_on(0).x / (twisted.share() * small * twist), torsion, tolerance, source);
 }
 
-/// Spheres of two sizes: the section lies between the surfaces. Only i rotates.
+/// Spheres of two sizes: the section of the bond lies where their surfaces touch. Only i rotates.
 void unequal_arms(Recorder& out) {
   const double radius_j = 0.4 * grain / 2, length = grain / 2 + radius_j, arm = grain / 2 / length, angle = 1e-6;
   Press press({{0, 0, 0}, {0, angle, 0}, {0, 0, 0}}, out.precision(), 1, radius_j);
@@ -122,7 +125,7 @@ void unequal_arms(Recorder& out) {
                {1e-6, 1e-6}, theory);
 }
 
-/// The bond of a press fails in the first step after complete loading, not before.
+/// Checks that the bond of a press fails in the first step after the loading is complete, and not earlier.
 void fails_in(Press press, Recorder& out, const std::string& name, BreakMode mode, double steps_off = 1e-6,
               const std::string& reference = source) {
   press.stage().advance(Press::steps + 100);
@@ -133,13 +136,13 @@ void fails_in(Press press, Recorder& out, const std::string& name, BreakMode mod
   out.absolute(name + "-mode", once ? static_cast<int>(broken[0].mode) : 0, static_cast<int>(mode), {0, 0}, reference);
 }
 
-/// The same under constant strength.
+/// The same check for the failure criterion of constant strength.
 void fails(Recorder& out, const std::string& name, const Loading& loading, BreakMode mode, double strength = 1,
            double steps_off = 1e-6) {
   fails_in(Press(loading, out.precision(), strength), out, name, mode, steps_off);
 }
 
-/// The load just before failure, and the energy that failure releases.
+/// Checks the load just before failure, and the energy that failure releases.
 template <class Load>
 void at_failure(Recorder& out, const std::string& name, const Loading& loading, double force, double energy,
                 Load&& load) {
@@ -148,7 +151,7 @@ void at_failure(Recorder& out, const std::string& name, const Loading& loading, 
   out.relative(name + "-load", load(press) / press.share(), force, {5e-6, 5e-6}, source);
   press.stage().advance(1);
   const std::vector<Breakage> broken = press.stage().dem().take_breakages();
-  // One step of 1e-4 of the loading carries up to 3e-4 of the energy.
+  // One step applies 1e-4 of the loading, which can change the energy by up to 3e-4.
   out.relative(name + "-energy-released", broken.empty() ? 0 : broken[0].energy, energy, {3e-4, 3e-4}, source);
 }
 
@@ -170,7 +173,7 @@ void shearing(Recorder& out) {
 void bending_and_torsion(Recorder& out) {
   fails(out, "bending", bow, BreakMode::tension);
   fails(out, "torsion", wring, BreakMode::shear);
-  // Torques on the end that does not rotate, at half the loading, where the chord of j's path adds little tension.
+  // Torques on the end that does not rotate, at half the loading: the straight path of j then adds little tension.
   const auto torque_on_i = [&](const Loading& loading) {
     Press press(loading, out.precision());
     press.stage().advance(Press::steps / 2);
@@ -190,15 +193,15 @@ void combined(Recorder& out) {
   fails(out, "push-50-bending-150", -0.5 * pull + 1.5 * bow, BreakMode::tension);
 }
 
-/// The two criteria are independent: neither adds to the other and neither waits for it.
+/// The two criteria are independent: a load of one criterion neither advances nor delays failure by the other.
 void independent(Recorder& out) {
   fails(out, "tension-with-99-torsion", pull + 0.99 * wring, BreakMode::tension);
   fails(out, "torsion-with-99-bending", 0.99 * bow + wring, BreakMode::shear);
-  // Pressure has shortened the bond by 1e-4, so the same slide is a larger angle: it fails two steps earlier.
+  // Compression has shortened the bond by 1e-4. The same slide is then a larger angle: failure comes two steps earlier.
   fails(out, "shear-under-pressure", -0.1 * pull + shove, BreakMode::shear, 1, 2);
 }
 
-/// Slide [m] at which a bond that is shortened by `shorter` [m] without rotation of its ends fails in shear:
+/// Slide v [m] at which a bond fails in shear. It is shortened by u = `shorter` [m], and its ends do not rotate:
 ///
 ///   ks L0^2 (L0 - u) v/L^3 = tau_c + tan(phi) max(0, -kn (L - L0))        L^2 = (L0 - u)^2 + v^2
 double slide_at_failure(double shorter, double tan_phi) {
@@ -212,7 +215,7 @@ double slide_at_failure(double shorter, double tan_phi) {
   return v;
 }
 
-/// Compression strengthens a bond against shear; tension does not weaken it, nor does it fail at another tension.
+/// Compression raises the shear strength of a bond, and tension does not change it. The tensile strength is constant.
 void mohr_coulomb(Recorder& out) {
   const std::string theory = "tau_c + tan(phi) x pressure: Potyondy, ARMA 12-501 (2012)";
   const auto fails_at = [&](const std::string& name, const Loading& loading, BreakMode mode) {
@@ -227,7 +230,7 @@ void mohr_coulomb(Recorder& out) {
   fails_at("tension", pull, BreakMode::tension);
 }
 
-/// By how much the pair has approached since the start [m], and the forces between the two [N].
+/// Approach of the two spheres since the start [m], and the normal and tangential forces between them [N].
 struct Contact {
   double closed, normal, friction;
 };
@@ -237,8 +240,8 @@ Contact contact(Press& press) {
   return {grain - norm(span), dot(s.force[1], n), norm(tangential(s.force[1], n))};
 }
 
-/// A bond fails in shear while it is pressed: its normal spring stays as it was, and friction limits the tangential
-/// force.
+/// A bond fails in shear while it is compressed: afterwards its normal spring is unchanged, and friction limits the
+/// tangential force.
 void broken_pressed(Recorder& out) {
   Press press(-0.5 * pull + shove, out.precision());
   press.stage().advance(Press::steps - 1);
@@ -255,22 +258,23 @@ void broken_pressed(Recorder& out) {
   out.relative("friction", late.friction / late.normal, Press::friction, {1e-6, 1e-6}, theory);
 }
 
-/// Rate of a damped oscillation that begins at 1: exp(-xi w t) (cos w_d t - xi/sqrt(1 - xi^2) sin w_d t).
+/// Velocity of a damped oscillator that starts at its rest position with the velocity 1: exp(-xi w t) (cos w_d t -
+/// xi/sqrt(1 - xi^2) sin w_d t).
 double damped_rate(double frequency, double damping, double time) {
   const double root = std::sqrt(1 - damping * damping), phase = root * frequency * time;
   return std::exp(-damping * frequency * time) * (std::cos(phase) - damping / root * std::sin(phase));
 }
 
-/// One mode of a free pair, and the motion with which it is started.
+/// One mode of a free pair, and its initial motion.
 struct Mode {
   std::string name;
   double stiffness, inertia;                           ///< of the mode
-  double damping = 1;                                  ///< share of critical, over that of the bond
+  double damping = 1;                                  ///< fraction of critical damping, relative to that of the bond
   Vec3d velocity{0, 0, 0}, angular_velocity{0, 0, 0};  ///< of j; i has the opposite
 };
 
-/// Oscillations of a free pair decay as 0.1 of critical damping says. In shear the ends also rotate: the mass of the
-/// mode is m/7, while the damper is made for m/2.
+/// The oscillations of a free pair decay with 0.1 of critical damping. In shear the ends also rotate, so that the
+/// effective mass of the mode is m/7, while the damper is designed for m/2.
 void damping(Recorder& out) {
   const BondStiffness k(paper_bonds());
   const double mass = sphere_mass(grain / 2, rock_density), inertia = 0.1 * mass * grain * grain;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exchange of motion and torque between drive and rock: order in the window, stability, energy that it adds or removes.
+// Exchange of motion and torque between drive and rock: order of convergence in the window, stability, and the energy
+// that the exchange adds or removes.
 #include "app/verify/fixtures/drives.hpp"
 #include "app/verify/verification.hpp"
 #include "core/math/random.hpp"
@@ -20,11 +21,11 @@ namespace {
 using namespace fixtures;
 using std::numbers::pi;
 
-constexpr double longest = 8e-3;  // window [s]
-constexpr int samples = 100;      // of the speed, one each longest window
+constexpr double longest = 8e-3;  // longest window [s]
+constexpr int samples = 100;      // of the speed, one after each longest window
 
-/// The rock's torque as sixty Gaussian pulses over the angle, of random position, height and width. A share of the
-/// torque may grow with the speed.
+/// Torque of the rock: sixty Gaussian pulses over the angle, with random positions, heights and widths. A share of the
+/// torque may be proportional to the speed.
 class Pulses {
  public:
   explicit Pulses(double rate_share) : rate_share_(rate_share) {
@@ -62,7 +63,7 @@ DrivetrainParameters loaded_machine() {
           .losses = {.no_load_power = 50e3, .load_factor = 0.05}};
 }
 
-/// Speeds at the samples when load and shaft are integrated as one system [rad/s].
+/// Speeds at the samples from an integration of load and shaft as one system [rad/s].
 std::vector<double> monolithic(const Pulses& load) {
   const DrivetrainParameters machine = loaded_machine();
   const Losses losses = machine.eccentric_losses();
@@ -103,7 +104,7 @@ std::string seconds(int split) {
   return std::to_string(std::lround(1e4 * longest / split)) + "e-4-s";
 }
 
-/// The mean torque of each window is exchanged: the error is of second order in the window.
+/// The mean torque of each window is exchanged: the error is of second order in the length of the window.
 void averaged(Recorder& out) {
   const Pulses load(1);
   const std::vector<double> exact = monolithic(load);
@@ -116,7 +117,7 @@ void averaged(Recorder& out) {
   out.absolute("speed-error-at-5e-4-s", before, 0, {1e-6, 1e-6}, "monolithic integration by CVODE");
 }
 
-/// The torque at the begin of each window is held: the error is of first order, and hundreds of times larger.
+/// The torque at the beginning of each window is held: the error is of first order, and hundreds of times larger.
 void sampled(Recorder& out) {
   const Pulses load(0);
   const std::vector<double> exact = monolithic(load);
@@ -131,7 +132,8 @@ double growth_rate(const Eigen::MatrixXd& map, double length) {
   return std::log(map.eigenvalues().cwiseAbs().maxCoeff()) / length;
 }
 
-/// A spring whose torque is sampled and held: the code follows the exact map of (angle, speed), which grows.
+/// A spring whose torque is sampled at the beginning of each window and held. The code must follow the exact map of
+/// (angle, speed), whose oscillations grow.
 void exact_map_of_two(Recorder& out) {
   constexpr double inertia = 300, stiffness = 5e6, length = 5e-3;
   Eigen::Matrix2d map;
@@ -153,8 +155,8 @@ void exact_map_of_two(Recorder& out) {
   out.absolute("growth-of-the-code", std::log(end / begin) / (20 * length), 19, {2, 2}, "1/s");
 }
 
-/// A spring whose mean torque along the predicted path is held. The state of the map: angle, speed, torque of the last
-/// window, angle of the wall.
+/// A spring whose mean torque along the predicted path is held. The state of the exact map consists of angle, speed,
+/// torque of the last window, and angle of the wall.
 void exact_map_of_four(Recorder& out) {
   const std::array<std::array<double, 2>, 2> machines{{{300, 5e-3}, {5700, 0.5e-3}}};
   for (const auto& [inertia, length] : machines) {
@@ -181,7 +183,7 @@ void exact_map_of_four(Recorder& out) {
   }
 }
 
-/// Share of the exchanged work that the coupling adds or loses.
+/// Energy that the coupling adds or loses, as a share of the exchanged work.
 double residual_share(double inertia, double length, int windows) {
   constexpr double stiffness = 5e6;
   Drivetrain drive(shaft_on_spring(inertia));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motor, gear and shaft against closed forms, and the drivetrain's work against that of the rock.
+// Motor, gear and shaft against closed forms, and the work of the drivetrain against the work on the rock.
 #include "app/verify/fixtures/drives.hpp"
 #include "app/verify/fixtures/gyrating_gap.hpp"
 #include "app/verify/fixtures/stage.hpp"
@@ -16,7 +16,7 @@ namespace {
 using namespace fixtures;
 using std::numbers::pi;
 
-/// Time from rest to a slip, without load.
+/// Time of the run-up from rest to a slip, without load.
 void run_up(Recorder& out) {
   constexpr double inertia = 500, synchronous = 100, torque = 1000, breakdown = 0.1;
   for (const auto& [slip, printed] : kloss_times) {
@@ -41,7 +41,7 @@ void kloss(Recorder& out) {
                {1e-12, 1e-12}, "name plate");
 }
 
-/// A droop motor runs up as 1 - exp(-t/tau), tau = (J_e + i^2 J_m) w_idle/(i T).
+/// The speed of a droop motor runs up as w_idle (1 - exp(-t/tau)), tau = (J_e + i^2 J_m) w_idle/(i T).
 void gear(Recorder& out) {
   constexpr double ratio = 3.75, motor_inertia = 50, inertia = 700, synchronous = 60, stall = 2000;
   const double reflected = 14.0625 * motor_inertia, idle = synchronous / ratio;
@@ -61,7 +61,8 @@ void gear(Recorder& out) {
                "rigid: power in is power out");
 }
 
-/// J dw/dt = T (1 - w/ws) - T0 - (1 + f) T_rock - c w is linear in w.
+/// With losses, J dw/dt = T (1 - w/ws) - T0 - (1 + f) T_rock - c w is linear in w, so that the speed approaches its
+/// limit exponentially.
 void losses(Recorder& out) {
   const double slope = 50e3 / 20 + 100, rock = 12e3, dry = 60e3 / 20, end = 0.7;
   Drivetrain drive({.motor = DroopMotor{.synchronous_speed = 20, .stall_torque = 50e3},
@@ -74,7 +75,7 @@ void losses(Recorder& out) {
                "exponential approach");
 }
 
-/// Motor work = gain of kinetic energy + rock work + losses, for the shaft alone.
+/// Motor work = gain in kinetic energy + rock work + losses, for the shaft alone.
 void energy_of_the_shaft(Recorder& out) {
   const std::array<Motor, 2> motors{induction_450kw(), paper_droop()};
   for (std::size_t m = 0; m < motors.size(); ++m)
@@ -99,7 +100,7 @@ void energy_of_the_shaft(Recorder& out) {
     }
 }
 
-/// Time to stall under a constant overload of a droop motor: tau ln(L/(L - T0)).
+/// Time to stall of a droop motor with the stall torque T0 under a constant overload L: tau ln(L/(L - T0)).
 void stall(Recorder& out) {
   const double load = 120e3, stall_torque = 96e3, inertia = 5000 + 14.0625 * 50;
   const double tau = inertia * 160 * rpm / stall_torque;
@@ -110,9 +111,8 @@ void stall(Recorder& out) {
                "integral of J dw/(L - T)");
 }
 
-/// Spheres between a gyrating mantle and a concave slow the drive down that moves the mantle. @param length  of windows
-/// [s]
-/// @return |motor work - losses - rock work - gain of kinetic energy| / rock work
+/// Spheres between a gyrating mantle and a concave slow down the drive of the mantle. @param length  of windows [s]
+/// @return |motor work - losses - rock work - gain in kinetic energy| / rock work
 double residual_of_exchange(Precision precision, double length) {
   constexpr double dt = 5e-6, idle = 60;
   const GyratingGap gap(dt);
@@ -129,7 +129,7 @@ double residual_of_exchange(Precision precision, double length) {
   return std::abs(drive.energy_residual()) / drive.state().rock_work;
 }
 
-/// The work that the drive does is the work that the rock receives.
+/// The rock receives the work that the drive does.
 void shared_work(Recorder& out) {
   out.absolute("account", residual_of_exchange(out.precision(), 0.5e-3), 0, {1e-3, 1e-3},
                "first law, windows of 0.5 ms");

@@ -37,9 +37,9 @@ void crushing(Recorder& out) {
   out.within("residual-falls", residuals.back() / residuals.front(), 0, 0.3, "first order in the step or better");
 }
 
-/// Two unequal spheres spin against each other without damping, so that their bond is bent and twisted by about 0.3
-/// rad.
-/// @return the largest change of their energy in 2 ms, over the energy
+/// Two bonded spheres of different size spin against each other without damping, so that their bond is bent and twisted
+/// by about 0.3 rad.
+/// @return the largest relative change of their energy in 2 ms
 double change_of_energy(Precision precision, double dt) {
   BondParameters bonds = paper_bonds();
   bonds.tensile_strength = bonds.shear_strength = 1e15;
@@ -59,8 +59,8 @@ double change_of_energy(Precision precision, double dt) {
   return largest;
 }
 
-/// If the loads were the gradient of the stored energy only to first order in the strains, an error would remain at any
-/// step.
+/// The loads must be the exact gradient of the stored energy. If they were so only to first order in the strains, an
+/// error would remain that does not fall with the step.
 void far_strained(Recorder& out) {
   const double coarse = change_of_energy(out.precision(), 4e-7), fine = change_of_energy(out.precision(), 1e-7);
   out.absolute("change-at-100-ns", fine, 0, {3e-5, 3e-5}, "conservative loads");

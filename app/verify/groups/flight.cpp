@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rock of 125 spheres that flies and rotates freely, without damping.
+// A rock of 125 spheres that moves and rotates freely, without damping.
 #include "app/verify/fixtures/random.hpp"
 #include "app/verify/fixtures/rocks.hpp"
 #include "app/verify/fixtures/scenes.hpp"
@@ -21,7 +21,7 @@ const std::string source = "mechanics of a closed system";
 struct Flight {
   double dt;  ///< [s]
   int steps;
-  double unequal = 0;  ///< scatter of the radii, which gives the bonds unequal arms
+  double unequal = 0;  ///< scatter of the radii; with it the two arms of a bond differ
 };
 
 Vec3d centre_of_mass(const ParticleSnapshot& s) {
@@ -40,7 +40,7 @@ double total_mass(const ParticleSnapshot& s) {
   return mass;
 }
 
-/// Energy of the motion about the centre of mass and of the bonds [J].
+/// Energy of the bonds and of the motion about the centre of mass [J].
 double inner_energy(const Dem& dem, double mass) {
   const EnergyTerms e = dem.energy();
   return e.kinetic + e.bond_elastic - 0.5 * norm2(dem.momentum()) / mass;

@@ -30,7 +30,7 @@ Graph random_graph(Index n, double bonds_per_particle) {
   return g;
 }
 
-/// Square grid, numbered at random, in which each bond exists with a probability.
+/// Square grid with randomly numbered particles, in which each bond exists with the probability `share`.
 Graph grid(Index side, double share) {
   const std::vector<Index> number = shuffled(side * side);
   Graph g{side * side, {}, {}};
@@ -92,7 +92,8 @@ void order_and_threads(Recorder& out) {
   }
 }
 
-/// A chain of 168 spheres with four weak bonds is stretched: these break at once and leave 1, 2, 5, 20 and 140 spheres.
+/// A chain of 168 spheres with four weak bonds is stretched: the weak bonds break at once and leave fragments of 1, 2,
+/// 5, 20 and 140 spheres.
 void pieces_of_a_chain(Recorder& out) {
   const std::array<int, 5> sizes{1, 2, 5, 20, 140};
   NewRock rock = chain(0, 167);
@@ -114,13 +115,13 @@ void pieces_of_a_chain(Recorder& out) {
   out.relative("mass", total, 168 * mass, {1e-12, 1e-12}, "conserved");
 }
 
-constexpr Grains pebbles{.diameter = 0.02};  // whose multiples lie well between sieves [m]
+constexpr Grains pebbles{.diameter = 0.02};  // [m]; its multiples lie well between the sieve sizes
 
-/// Rocks of 1, 2, 5, 20 and 140 spheres and 2 x 3 x 5 ones below the discharge plane: product and sieve curve.
+/// Product and sieve curve of blocks of 1, 2, 5, 20, 140 and 2 x 3 x 5 spheres below the discharge plane.
 void product_of_blocks(Recorder& out) {
   struct Kind {
     Vec3<int> n;
-    int mesh;  ///< mesh of a box a >= b >= c: b [diameters]
+    int mesh;  ///< sieve size: b of a box with a >= b >= c [sphere diameters]
   };
   const std::array<Kind, 6> kinds{
       {{{1, 1, 1}, 1}, {{2, 1, 1}, 1}, {{5, 1, 1}, 1}, {{2, 2, 5}, 2}, {{4, 5, 7}, 5}, {{2, 3, 5}, 3}}};
@@ -157,7 +158,7 @@ void product_of_blocks(Recorder& out) {
                "box a >= b >= c: b");
 }
 
-/// All bonds of a rock break at once, or none.
+/// In one rock all bonds break at once, in the other no bond breaks.
 void all_or_none(Recorder& out) {
   for (const bool broken : {false, true}) {
     NewRock rock = lattice(0, 4);

@@ -27,8 +27,8 @@ void two_spheres(Recorder& out, const Material& material) {
   compare(out, got, head_on_impact(material, radius, speed), -got.velocity.x / speed);
 }
 
-/// Velocity Verlet is of second order: half the step leaves a quarter of the error. The peak falls on a step in both
-/// runs.
+/// Velocity Verlet is of second order: half the step gives a quarter of the error. In both runs the largest overlap is
+/// reached at the end of a step.
 void converges(Recorder& out) {
   const Material material = elastic(48e9, 0.20, 2800);
   const double radius = 0.01, speed = 10;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hysteretic normal force: impacts are two quarters of a linear oscillator, one on each spring.
+// The hysteretic normal force: an impact is a quarter oscillation on the loading spring, followed by one on the
+// unloading spring.
 #include "app/verify/fixtures/held_sphere.hpp"
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/impact.hpp"
@@ -22,13 +23,13 @@ using std::numbers::pi;
 const std::string walton_braun = "Walton & Braun (1986): k1 d while loading, k1/e^2 while unloading";
 const Material stone = elastic(48e9, 0.20, 2800);
 constexpr double radius = 0.01;
-constexpr double fine = 500;  ///< steps in a quarter of an oscillation of the loading spring
+constexpr double fine = 500;  ///< steps per quarter oscillation of the loading spring
 
 PairProperties hysteretic(double restitution, double friction = 0) {
   return {friction, restitution, 0, {NormalModel::hysteretic, RollingModel::constant}};
 }
 
-/// Loading stiffness k1 [N/m]: that of the straight line through Hertz's force at an overlap of R*/10.
+/// Loading stiffness k1 [N/m]: the slope of the straight line from the origin to Hertz's force at an overlap of R*/10.
 /// @param youngs  E* [Pa]  @param contact_radius  R* [m]
 double loading_stiffness(double youngs, double contact_radius) {
   const double overlap = 0.1 * contact_radius;
@@ -38,9 +39,10 @@ double loading_stiffness(double youngs, double contact_radius) {
 /// Two bodies of reduced mass m that meet at a speed v.
 struct HystereticImpact {
   double overlap;   ///< v sqrt(m/k1) [m]
-  double pressed;   ///< until the force is zero: pi/2 sqrt(m/k1) (1 + e) [s]
-  double duration;  ///< until the bodies are apart: then they fly (1 - e^2) overlap at e v [s]
-  double lost;      ///< m v^2/2 (1 - e^2) [J]
+  double pressed;   ///< time until the force is zero: pi/2 sqrt(m/k1) (1 + e) [s]
+  double duration;  ///< time until the bodies separate: `pressed` and the time in which they cover (1 - e^2) overlap at
+                    ///< e v [s]
+  double lost;      ///< energy lost: m v^2/2 (1 - e^2) [J]
 
   HystereticImpact(double stiffness, double mass, double speed, double e) {
     const double time = std::sqrt(mass / stiffness);
@@ -51,7 +53,7 @@ struct HystereticImpact {
   }
 };
 
-/// What is measured of an impact, over what theory says; the rebound over the speed of approach.
+/// Measured values of an impact, divided by those of theory; the rebound is divided by the speed of approach.
 struct Ratios {
   double rebound, overlap, pressed, duration, lost;
 };
@@ -61,7 +63,7 @@ Ratios ratios(Stage& stage, const ImpactResult& got, const HystereticImpact& the
           stage.dem().energy().contact_damping / theory.lost};
 }
 
-/// @param steps  in a quarter of an oscillation of the loading spring, until the deepest overlap
+/// @param steps  per quarter oscillation of the loading spring, which ends at the largest overlap
 Ratios spheres_meet(double e, double speed, double steps, Precision precision) {
   const double mass = 0.5 * sphere_mass(radius, stone.density);
   const double k1 = loading_stiffness(youngs_of_pair(stone), 0.5 * radius);
@@ -86,9 +88,9 @@ Ratios sphere_hits(const Wall& wall, double e, double speed, double steps, Preci
   return ratios(stage, got, theory, got.velocity.z / speed);
 }
 
-/// Impacts of a restitution at three speeds. Velocity Verlet errs by the square of step times frequency, here by the
-/// frequency of the unloading spring. At the lowest speed the overlap is 7e-8 m: rounding of positions adds 1e-10 to
-/// the restitution, and single precision its rounding over e^2.
+/// Impacts with one restitution at three speeds. The relative error of velocity Verlet is the square of step times
+/// frequency, here the frequency of the unloading spring. At the lowest speed the overlap is 7e-8 m; the rounding of
+/// positions then changes the restitution by 1e-10, and in single precision the rounding error divided by e^2 is added.
 template <class Impact>
 void at_three_speeds(Recorder& out, double e, const Impact& impact) {
   char name[16];
@@ -121,7 +123,7 @@ void on_wall(Recorder& out) {
                {1e-12, 1e-12}, "the same impact on a plane");
 }
 
-/// The deepest overlap and the end of the force fall on a step in both runs.
+/// In both runs the largest overlap and the end of the force are reached at the end of a step.
 void converges(Recorder& out) {
   const Ratios coarse = spheres_meet(0.5, 1, 20, out.precision()), half = spheres_meet(0.5, 1, 40, out.precision());
   const std::string order = "second order of velocity Verlet";
@@ -129,7 +131,7 @@ void converges(Recorder& out) {
   out.within("error-of-overlap-by-half-a-step", (coarse.overlap - 1) / (half.overlap - 1), 3.5, 4.5, order);
 }
 
-/// A held sphere is pressed, let go, and pressed again, deeper.
+/// A held sphere is pressed, unloaded, and pressed again to a larger overlap.
 void pressed_by_hand(Recorder& out) {
   const double e = 0.5, deep = 1e-5, residual = (1 - e * e) * deep;
   const double k1 = loading_stiffness(youngs_against_rigid(stone), radius), k2 = k1 / (e * e);
@@ -144,14 +146,15 @@ void pressed_by_hand(Recorder& out) {
   rig.move(0.9 * residual - 0.9 * deep, 0, 40000);
   force("below-the-residual-overlap", 0);
   out.relative("work-lost", rig.work(), 0.5 * k1 * deep * deep * (1 - e * e), {5e-5, 5e-5},
-               "triangle between the springs, but for two steps of 40,000");
+               "triangle between the springs, to within two steps of 40,000");
   rig.move(0.1 * deep + residual - 0.9 * residual, 0, 4000);
   force("reloaded", k2 * 0.1 * deep);
   rig.move(1.4 * deep - residual, 0, 4000);
   force("loaded-further", 1.5 * k1 * deep);
 }
 
-/// Pressed and sheared: the tangential spring has Mindlin's share of the loading spring, whatever the overlap.
+/// A held sphere is pressed and sheared: the tangential stiffness is Mindlin's share of the loading stiffness at any
+/// overlap.
 void sheared_by_hand(Recorder& out) {
   const double deep = 1e-5, shear = 1e-6;
   const double share = 2 * (1 - stone.poisson_ratio) / (2 - stone.poisson_ratio);  // 4 G*/E* on a rigid wall
@@ -167,7 +170,7 @@ void sheared_by_hand(Recorder& out) {
   }
 }
 
-/// A sphere that slides while it rebounds: friction has mu times the impulse of the normal force.
+/// A sphere slides while it rebounds: the impulse of friction is mu times that of the normal force.
 void slides(Recorder& out) {
   const double e = 0.4, mu = 0.1, fall = 1, slide = 5;
   const double mass = sphere_mass(radius, stone.density);
@@ -179,7 +182,7 @@ void slides(Recorder& out) {
   stage.insert({sphere(0, {0, 0, radius}, {slide, 0, -fall}, radius, stone.density)});
   const auto overlap = [](const ParticleSnapshot& s) { return radius - s.position[0].z; };
   const ImpactResult got = watch_impact(stage, overlap, 2 * theory.duration);
-  const double lever = 1 - theory.overlap / radius;  // between this and 1
+  const double lever = 1 - theory.overlap / radius;  // smallest; the mean lever lies between this and 1
   out.relative("velocity-lost", slide - got.velocity.x, mu * (1 + e) * fall, {1e-4, 1e-4}, "mu x impulse");
   out.within("spin", got.angular_velocity.y * radius / (2.5 * mu * (1 + e) * fall), lever, 1, "lever of friction");
   out.absolute("energy-residual", stage.dem().energy().residual() / theory.lost, 0, {1e-6, 1e-6}, "first law");

@@ -21,10 +21,10 @@ using namespace fixtures;
 
 constexpr double radius = grain / 2;
 
-/// A prism from the packing that rocks are cut from. The platens hold two layers at each end.
+/// A prism that is cut from the same packing as rocks. The platens hold two layers at each end.
 struct Specimen {
   RockTemplate rock;
-  std::vector<int> grip;  ///< by sphere: -1 held below, +1 held above, 0 free
+  std::vector<int> grip;  ///< for each sphere: -1 held by the lower platen, +1 by the upper one, 0 free
   double height;          ///< between the outermost centres [m]
 
   explicit Specimen(double width);
@@ -47,9 +47,9 @@ Specimen::Specimen(double width) {
   for (const Vec3d& c : rock.centres) grip.push_back(c.z < 3 * radius ? -1 : c.z > height - 3 * radius ? 1 : 0);
 }
 
-/// Strain along z, from a line through the displacements of the spheres well away from the platens, and the modulus by
-/// Voigt's hypothesis for the bonds there:
-///   E_V = (N L^2/3 V) kn A (2 + 3 kappa)/(4 + kappa)   for N bonds of length L in a volume V
+/// Strain along z, from a line fitted to the displacements of the spheres well away from the platens, and the modulus
+/// by Voigt's hypothesis for the bonds in this region:
+///   E_V = (N L^2/3 V) kn A (2 + 3 kappa)/(4 + kappa)   for N bonds of length L in a volume V, kappa = ks/kn
 struct Gauge {
   double low, high;  ///< [m]
   explicit Gauge(const Specimen& s) : low(7 * radius), high(s.height - 7 * radius) {}
@@ -64,7 +64,7 @@ struct Gauge {
     }
     return regression_slope(height, moved).value();
   }
-  /// E_V times the area of the section, which a rough prism does not have by itself [N].
+  /// E_V times the cross-section [N]. The product is used because a rough prism has no well-defined cross-section.
   double voigt_stiffness(const Specimen& s) const {
     const BondStiffness k(paper_bonds());
     const double kappa = k.shear / k.normal;
@@ -77,13 +77,13 @@ struct Gauge {
   }
 };
 
-/// Force of the platens [N] and strain of the gauge, both for one metre of closing.
+/// Force on a platen [N/m] and strain of the gauge [1/m], both per metre of approach of the platens.
 struct Response {
   double force = 0, strain = 0;
 };
 
-/// From the engine: the held spheres approach at a constant speed. Differences between two times contain neither the
-/// start nor the constant part of the damping.
+/// Response in the engine: the two groups of held spheres approach at a constant speed. The differences between two
+/// times contain neither the start-up nor the constant part of the damping.
 Response slow_test(const Specimen& s, Precision precision) {
   constexpr double dt = 2e-6, speed = 1e-4;
   BondParameters bonds = paper_bonds();
@@ -121,7 +121,8 @@ Response slow_test(const Specimen& s, Precision precision) {
   return {(b.force - a.force) / closed, (a.strain - b.strain) / closed};
 }
 
-/// From the linear equations of the rock: the motion of the held spheres is given, that of the others is solved for.
+/// Response by the linear equations of the rock: the displacements of the held spheres are given, those of the others
+/// are solved for.
 Response static_solution(const Specimen& s) {
   const LinearRock linear = linearise(s.rock, paper_bonds(), {});
   const Eigen::Index size = linear.inverse_root_mass.size();

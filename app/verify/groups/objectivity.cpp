@@ -20,7 +20,7 @@ namespace {
 using namespace fixtures;
 using std::numbers::pi;
 
-/// Loads of a bond for these positions of its ends, computed as in the kernel.
+/// Loads of a bond for the given positions of its ends, computed as in the kernel with load precision T.
 template <class T>
 BondLoad<double> load_of(const BondEnds<double>& ends) {
   const BondStrain<double> s = bond_strain(BondShape<double>{{1, 0, 0}, grain, 0.5}, ends);
@@ -33,8 +33,8 @@ BondLoad<double> load_of(const BondEnds<double>& ends) {
   return {cast<double>(load.force), cast<double>(load.torque_i), cast<double>(load.torque_j), 0, 0, 0, 0};
 }
 
-/// A bond under 1 kN of shear and 3 N m of torsion makes one revolution about an axis in a thousand steps.
-/// @return the largest change of its loads in its own frame, over the loads
+/// A bond under a shear force of 1 kN and a torque of 3 N m makes one revolution about an axis in a thousand steps.
+/// @return the largest relative change of its loads in the rotating frame
 template <class T>
 double change_in_a_revolution(const Vec3d& axis) {
   const BondStiffness k(paper_bonds());
@@ -56,27 +56,27 @@ double change_in_a_revolution(const Vec3d& axis) {
 void one_revolution(Recorder& out) {
   const auto change =
       out.precision() == Precision::mixed ? change_in_a_revolution<float> : change_in_a_revolution<double>;
-  const std::string theory = "objectivity; incremental with end-of-step normals: 1.22 in 1e4 steps";
+  const std::string theory = "objectivity (an incremental law with the normal at the end of a step: 1.22 in 1e4 steps)";
   out.absolute("about-a-diagonal", change({1, 1, 1}), 0, {1e-9, 1e-6}, theory);
   out.absolute("about-its-own-axis", change({1, 0, 0}), 0, {1e-9, 1e-6}, theory);
   out.absolute("across", change({0, 0, 1}), 0, {1e-9, 1e-6}, theory);
 }
 
-/// A cube of eight spheres whose bonds have wrong lengths, so that all of them are stretched, sheared and bent. The
-/// lengths are symmetric under half a revolution about z, so that z remains a principal axis about which the cube
-/// rotates steadily.
+/// A cube of eight spheres. The rest lengths of its bonds do not fit together, so that all bonds are stretched, sheared
+/// and bent. They are symmetric under half a revolution about z; therefore z remains a principal axis, about which the
+/// cube rotates steadily.
 NewRock stressed_cube() {
   NewRock rock = lattice(0, 2);
   for (NewBond& b : rock.bonds) {
-    const int i = b.i ^ 3, j = b.j ^ 3;  // the ends after half a revolution
+    const int i = b.i ^ 3, j = b.j ^ 3;  // the spheres that take the places of the ends after half a revolution
     const int key = std::min(8 * b.i + b.j, 8 * std::min(i, j) + std::max(i, j));
     b.length *= 1 + 1e-3 * random_number(static_cast<std::uint64_t>(key), 0);
   }
   return rock;
 }
 
-/// The cube rotates at 600 rad/s about a diagonal of the frame. Once its oscillations are damped away, every bond has
-/// the same load after a revolution.
+/// The cube rotates at 600 rad/s about the diagonal of the coordinate frame. After its oscillations have decayed, the
+/// load of every bond is the same before and after a revolution.
 void stressed_rock(Recorder& out) {
   constexpr double dt = 1e-6, angular_velocity = 600;  // 6e-4 rad a step
   BondParameters bonds = paper_bonds();
@@ -117,9 +117,10 @@ double limit(int n, const BondParameters& bonds) {
   return critical_step(form, bonds, {});
 }
 
-/// A rock rotates at 100 rad/s for ten revolutions with 0.8 of the limit as its step. Layers at x = +-d/2, +-3d/2 pull
-/// outwards with m w^2 |x|, so that the bonds in the middle carry the most, 2 m w^2 d. If damping took the velocities
-/// of mid-step with the positions of the step's end, it would carry 2.4 % of this.
+/// A rock rotates at 100 rad/s for ten revolutions, with a step of 0.8 of the limit. The spheres at x = +-d/2, +-3d/2
+/// pull outwards with m w^2 |x|, so that the bonds in the middle carry the largest force, 2 m w^2 d. If damping
+/// combined the velocities at mid-step with the positions at the end of the step, it would add a spurious 2.4 % of this
+/// force.
 void no_spurious_stress(Recorder& out) {
   constexpr double angular_velocity = 100;
   BondParameters bonds = paper_bonds();
@@ -131,7 +132,7 @@ void no_spurious_stress(Recorder& out) {
   const double pull = sphere_mass(grain / 2, rock_density) * angular_velocity * angular_velocity * 2 * grain;
   const double ratio = pull / (pi * grain * grain / 16) / bonds.tensile_strength;
   const int revolution = static_cast<int>(std::llround(2 * pi / (angular_velocity * stage.dt())));  // steps
-  stage.advance(revolution);  // the oscillation of the start decays
+  stage.advance(revolution);  // the initial oscillation decays
   double largest = 0;
   for (int k = 0; k < 90; ++k) {
     stage.advance(revolution / 10);

@@ -17,7 +17,7 @@ using namespace fixtures;
 using std::numbers::pi;
 
 const std::string sliding = "momentum: friction mu (1 + e) m v_n at the mean lever";
-const std::string sticking = "impact_reference.py: independent integration of the law";
+const std::string sticking = "impact_reference.py: independent integration of the same law";
 
 std::string numbered(const char* form, double number) {
   char text[32];
@@ -31,7 +31,7 @@ ObliqueImpact test_4(const Material& material, double degrees) {
 }
 
 struct Row {
-  double degrees, ratio, angular_velocity;  ///< angle, tangential restitution; after the impact [rad/s]
+  double degrees, ratio, angular_velocity;  ///< angle of impact; tangential restitution; after the impact [rad/s]
 };
 
 /// Up to 25 degrees the contact sticks for part of the impact.
@@ -46,7 +46,7 @@ void sticks(Recorder& out, const Material& material, std::span<const Row> rows) 
   }
 }
 
-/// From 30 degrees on it slides throughout.
+/// From 30 degrees on the contact slides throughout the impact.
 void slides(Recorder& out, const Material& material) {
   const double e = 0.98, mu = 0.092;
   for (const double degrees : {45.0, 60.0, 80.0}) {
@@ -57,11 +57,12 @@ void slides(Recorder& out, const Material& material) {
     out.relative(name + "-velocity", got.slide / impact.slide, 1 - lost / impact.slide, {1e-4, 1e-4}, sliding);
     out.relative(name + "-spin", got.angular_velocity, 2.5 * lost / impact.radius * mean_lever(impact), {1e-4, 1e-4},
                  sliding);
-    out.relative(name + "-rebound", got.rebound / impact.fall, e, {1e-4, 1e-4}, "asked for");
+    out.relative(name + "-rebound", got.rebound / impact.fall, e, {1e-4, 1e-4}, "prescribed restitution");
   }
 }
 
-/// Against published computations, in the mean of five angles: their law unloads differently.
+/// Comparison with published simulations, whose law unloads differently; therefore only the mean deviation at five
+/// angles is checked.
 void published(Recorder& out) {
   const Row rows[] = {{10, 0.687, 0}, {15, 0.624, 0}, {20, 0.616, 0}, {25, 0.634, 0}, {30, 0.684, 0}};
   double error = 0;
@@ -73,7 +74,8 @@ void published(Recorder& out) {
                "Chung & Ooi (2011), fig. of test 4, digitised in Kratos, which accepts 0.025");
 }
 
-/// Test 5. Velocity of the contact patch and surface speed by spin, both over mu v_n; psi is the patch velocity before.
+/// Test 5: velocity lost, surface speed by spin and velocity of the contact patch after the impact, all divided by mu
+/// v_n; psi is the velocity of the patch before the impact, also divided by mu v_n.
 void small_and_sliding(Recorder& out, const Material& material) {
   const double mu = 0.3, fall = 5;
   for (const double psi : {7.5, 10.0}) {

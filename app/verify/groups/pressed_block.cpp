@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bonded block between closing plates, beside LAMMPS: cases/verification/pressed_block/README.md.
+// A bonded block between closing plates, compared with LAMMPS: cases/verification/pressed_block/README.md.
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/random.hpp"
 #include "app/verify/fixtures/rocks.hpp"
@@ -20,7 +20,8 @@ using namespace fixtures;
 
 constexpr double radius = 0.01, bond_share = 0.5, gap = 0.15, speed = 1, dt = 5e-7;  // [m], [-], [-], [m/s], [s]
 
-/// Spheres on a face-centred cubic lattice that is jittered: neighbours are 2.15 R +- 0.05 R sqrt(2) apart.
+/// Spheres on a face-centred cubic lattice with random displacements of up to 0.05 R along each axis; on the lattice
+/// neighbours are 2.15 R apart.
 std::vector<Vec3d> centres() {
   constexpr Vec3<int> cells{6, 6, 8};
   constexpr Vec3d corners[] = {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
@@ -48,8 +49,8 @@ NewRock block() {
   return rock;
 }
 
-/// Plates of the block's material that touch its outermost spheres, without friction. Bonds fail by tension and bending
-/// alone, the criterion that LAMMPS shares.
+/// Frictionless plates of the block's material that touch its outermost spheres. Bonds fail by tension and bending
+/// only, because LAMMPS has the same criterion for these.
 Scene between_plates(const NewRock& rock, double step) {
   const auto [low, high] = std::ranges::minmax_element(rock.particles, {}, [](const auto& p) { return p.position.z; });
   const Material stone = elastic(1.5039e9, 0.35, rock_density);
@@ -62,7 +63,7 @@ Scene between_plates(const NewRock& rock, double step) {
   return scene;
 }
 
-/// The same quantities as in the table, from the engine.
+/// The quantities of the table, measured in the engine.
 PressedBlock measured(Dem& dem, double time) {
   PressedBlock row{.time = time};
   const ParticleSnapshot s = dem.particles();
@@ -79,15 +80,17 @@ PressedBlock measured(Dem& dem, double time) {
   return row;
 }
 
-/// Of the kinetic energies, and of the energy of stretched bonds and the forces on the plates [-].
+/// Relative tolerances of the two kinetic energies, and (load) of the energy of stretched bonds and the plate forces
+/// [-].
 struct Tolerances {
   double translation, rotation, load;
 };
 
-/// While no bond has broken, and after the first two have. Both programs take the same steps.
+/// Tolerances while all bonds are intact, and after the first two have broken. Both programs take the same steps.
 ///
-/// Before, they differ by 6e-5 at most, by 5e-5 at a quarter of the step. After, the step in which a bond breaks
-/// matters: up to 7.9e-4, 4.2e-3 and 2.2e-4, and 2.7e-4, 9e-4 and 1.1e-4 at a quarter of the step.
+/// While all bonds are intact, the programs differ by at most 6e-5, and by 5e-5 at a quarter of the step. Afterwards
+/// the differences depend on the step in which a bond breaks: they are up to 7.9e-4 (translation), 4.2e-3 (rotation)
+/// and 2.2e-4 (load), and 2.7e-4, 9e-4 and 1.1e-4 at a quarter of the step.
 constexpr Tolerances intact{2e-4, 2e-4, 2e-4}, broken{2e-3, 1e-2, 1e-3};
 
 void record(Recorder& out, const PressedBlock& got, const PressedBlock& lammps, const Tolerances& tolerance) {
@@ -101,7 +104,8 @@ void record(Recorder& out, const PressedBlock& got, const PressedBlock& lammps, 
   out.absolute(at + "bonds", got.bonds, lammps.bonds, {0, 0}, code);
 }
 
-/// Kinetic energies, energy of stretched bonds and forces on the plates beside LAMMPS, bpm/rotational.
+/// Kinetic energies, energy of stretched bonds and forces on the plates, compared with the LAMMPS bond style
+/// bpm/rotational.
 void pressed(Recorder& out) {
   const NewRock rock = block();
   Stage stage(between_plates(rock, dt), out.precision());

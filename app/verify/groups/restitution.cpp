@@ -19,7 +19,7 @@ namespace {
 
 using namespace fixtures;
 
-const std::string source = "asked for; damping by restitution_of_damping() in core/laws/contact/restitution.hpp";
+const std::string source = "prescribed; damping by restitution_of_damping() in core/laws/contact/restitution.hpp";
 
 std::string percent(double e) {
   char text[16];
@@ -35,7 +35,7 @@ double rebound(const Material& material, double e, double speed, double steps_pe
   return hit_wall(impact, precision).velocity.z / speed;
 }
 
-/// The rebound at all restitutions, and that it is the same at three speeds.
+/// Checks the rebound for all restitutions, and that it is the same at three speeds.
 void series(Recorder& out, const Material& material) {
   for (const double e : asked) {
     const double slow = rebound(material, e, 0.1, 1000, out.precision());
@@ -47,7 +47,7 @@ void series(Recorder& out, const Material& material) {
   }
 }
 
-/// The error at fifty steps per contact, and that it falls with the step.
+/// Checks the error at fifty steps per contact, and that it decreases with the step.
 void coarse(Recorder& out) {
   const Material material = elastic(380e9, 0.23, 4000);
   const auto worst = [&](double steps) {
@@ -62,7 +62,7 @@ void coarse(Recorder& out) {
 }
 
 /// A cube of n^3 spheres falls on the corner that is straight below its centre. Its bonds are so stiff that it moves as
-/// one body. @return speed after the impact over that before
+/// one rigid body. @return speed after the impact divided by the speed before
 double rock_rebound(int n, double e, double fall, Precision precision) {
   BondParameters bonds = paper_bonds();
   bonds.tensile_strength = bonds.shear_strength = 1e12;
@@ -84,9 +84,10 @@ double rock_rebound(int n, double e, double fall, Precision precision) {
   return stage.dem().momentum().z / (mass * fall);
 }
 
-/// The restitution of a whole rock. A contact is damped as one of its two spheres alone; a rock of N spheres that lands
-/// on one of them has N times the mass behind the same dashpot. Its zeta is smaller by sqrt(N) and it rebounds more:
-/// 0.2 of single spheres is 0.67 for a rock of 27.
+/// The restitution of a whole rock. The dashpot of a contact is designed for the mass of the touching sphere alone.
+/// When a rock of N spheres lands on one of them, N times this mass acts on the same dashpot, so that zeta is smaller
+/// by sqrt(N) and the rock rebounds more: a restitution of 0.2 for a single sphere becomes 0.67 for a rock of 27
+/// spheres.
 void whole_rocks(Recorder& out) {
   for (const double e : {0.2, 0.5})
     for (const int n : {1, 2, 3}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rolling resistance of an elastic-plastic spring with a dashpot: a ball rocks about where its rolling has ended.
+// Rolling resistance by an elastic-plastic spring with a dashpot: a ball rocks about the place where its rolling ends.
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/impact.hpp"
 #include "app/verify/fixtures/on_floor.hpp"
@@ -20,17 +20,17 @@ using namespace fixtures;
 using std::numbers::pi;
 
 constexpr double g = OnFloor::g, radius = OnFloor::radius;
-constexpr double damping_share = 0.3;  ///< of the rolling dashpot, over critical
+constexpr double damping_share = 0.3;  ///< eta: damping of the rolling dashpot / critical damping
 const std::string source = "rigid-body mechanics of a ball, rolling torque of type C of Ai et al. (2011)";
 
 PairProperties spring_dashpot(double mu_r) {
   return {0.5, 0.5, mu_r, {NormalModel::hertz, RollingModel::spring_dashpot}};
 }
 
-/// A ball on a floor as an oscillator of two degrees of freedom, sliding and rolling.
+/// A ball on a floor as an oscillator with two degrees of freedom, sliding and rolling.
 struct Rocker {
   double mass = sphere_mass(radius, rock_density), inertia = 0.4 * mass * radius * radius;
-  double arm;                  ///< of friction, radius - overlap [m]
+  double arm;                  ///< a, lever of friction: radius - overlap [m]
   double tangential, sliding;  ///< Mindlin's spring St [N/m] and its dashpot [N s/m]
   double spring, damping;      ///< of rolling: kr [N m/rad], cr [N m s/rad]
 
@@ -64,11 +64,12 @@ struct Rocker {
 };
 
 struct Rocking {
-  double half_period, decay;  ///< of rocking [s]; the share of the amplitude that it leaves [-]
-  double turned;              ///< first place where the ball turned [m]
+  double half_period, decay;  ///< half a period of rocking [s]; ratio of the amplitudes after and before it [-]
+  double turned;              ///< position where the ball first reversed its motion [m]
 };
 
-/// Steps until the velocity has changed its sign three times; both are interpolated between steps.
+/// Steps until the velocity has changed its sign three times. Times and positions of these events are interpolated
+/// between steps.
 Rocking turning_points(OnFloor& s, double dt) {
   double at[3] = {}, place[3] = {}, before = s.speed();
   for (int found = 0; found < 3 && s.time() < 1;) {
@@ -84,7 +85,7 @@ Rocking turning_points(OnFloor& s, double dt) {
   return {0.5 * (at[2] - at[0]), (place[2] - place[1]) / (place[0] - place[1]), place[0]};
 }
 
-/// A ball starts to roll so slowly that the spring stays below its limit.
+/// A ball starts to roll so slowly that the rolling spring stays below its limit.
 Rocking rocks(double mu_r, double dt, Precision precision) {
   const Rocker rocker(mu_r, 0);
   const double spin = 0.3 * mu_r * radius * rocker.mass * g / rocker.spring * std::abs(rocker.root());
@@ -92,7 +93,7 @@ Rocking rocks(double mu_r, double dt, Precision precision) {
   return turning_points(s, dt);
 }
 
-/// The dashpot takes the velocity of half a step before, so the period is off by about eta w dt/2.
+/// The dashpot uses the velocity of half a step earlier, so that the period has a relative error of about eta w dt/2.
 void freely(Recorder& out) {
   for (const double mu_r : {0.02, 0.1}) {
     const std::complex<double> s = Rocker(mu_r, 0).root();
@@ -109,19 +110,21 @@ void converges(Recorder& out) {
   const std::complex<double> s = Rocker(mu_r, 0).root();
   const double half_period = pi / s.imag(), decay = std::exp(s.real() * half_period);
   const Rocking coarse = rocks(mu_r, 2e-5, out.precision()), half = rocks(mu_r, 1e-5, out.precision());
-  const std::string order = "first order: the dashpot takes the velocity of half a step before";
+  const std::string order = "first order: the dashpot uses the velocity of half a step earlier";
   out.within("error-of-half-period-by-half-a-step",
              (coarse.half_period - half_period) / (half.half_period - half_period), 1.8, 2.2, order);
   out.within("error-of-decay-by-half-a-step", (coarse.decay - decay) / (half.decay - decay), 1.8, 2.2, order);
 }
 
-/// Speed at which a ball may creep at rest in mixed precision [m/s]: the spring is kept in single precision, and each
-/// step its torque is rounded by half a unit in the last place. @param shift  that the torque makes [m]
+/// Speed at which a resting ball may creep in mixed precision [m/s]. The rolling spring is stored in single precision,
+/// and in each step its torque is rounded by up to half a unit in the last place. @param shift  displacement that the
+/// torque causes [m]
 double creep_in_mixed(double shift) {
   return 0x1p-24 * shift / OnFloor::dt;
 }
 
-/// Displacement at rest on a slope [m]: the rolling spring carries the torque of the weight, the tangential its force.
+/// Displacement at rest on a slope [m]: the rolling spring carries the torque of the weight, the tangential spring its
+/// downhill force.
 double shift_on(const Rocker& rocker, double slope) {
   const double downhill = rocker.mass * g * std::sin(slope);
   return downhill * (rocker.arm * rocker.arm / rocker.spring + 1 / rocker.tangential);
@@ -136,13 +139,13 @@ void on_a_slope(Recorder& out) {
   out.absolute("rest", s.run_to(1), 0, {1e-9 * radius, creep}, "at rest for 0.5 s, R w and v at each 50th step");
 }
 
-/// Acceleration of a ball on a slope against a torque mu_r R Fn [m/s2].
+/// Acceleration of a ball that rolls down a slope against the resisting torque mu_r R Fn [m/s2].
 double acceleration(const Rocker& rocker, double mu_r, double slope) {
   const double torque = rocker.mass * g * (rocker.arm * std::sin(slope) - mu_r * radius * std::cos(slope));
   return rocker.arm * torque / rocker.inertia_about_contact();
 }
 
-/// A coefficient above the slope's tangent holds the ball; one below it does not.
+/// A coefficient above the tangent of the slope holds the ball; with a coefficient below it the ball rolls.
 void angle_of_rolling(Recorder& out) {
   const double slope = 0.1, limit = std::tan(slope), more = 1.02 * limit;
   const double creep = creep_in_mixed(shift_on({more, slope}, slope));
@@ -162,7 +165,8 @@ void angle_of_rolling(Recorder& out) {
   }
 }
 
-/// A ball rolls to a stop against the limit of its spring, which then takes it back by the angle that it stores.
+/// A ball rolls to a stop while its rolling spring is at the limit. The spring then rolls the ball back by the angle
+/// that it has stored.
 void stop(Recorder& out) {
   const double mu_r = 0.05, v = 0.2;
   const Rocker rocker(mu_r, 0);
@@ -183,9 +187,10 @@ void stop(Recorder& out) {
   out.absolute("energy-residual", s.energy().residual() / (0.7 * rocker.mass * v * v), 0, {1e-5, 1e-5}, "first law");
 }
 
-/// Two equal balls roll on each other without slip, their spins opposite, while they are in contact. The normal spring
-/// is linear, so the rolling spring is constant: at the deepest overlap half an oscillation of the normal spring has
-/// passed, and a share of an oscillation of the spins.
+/// Two equal balls with opposite spins hit each other and roll on each other without slip. The normal spring is linear,
+/// so that the stiffness of the rolling spring is constant. The spins are compared at the largest overlap, a quarter
+/// oscillation of the normal spring after the first touch; the spins are then at a known phase of their own damped
+/// oscillation.
 void pair(Recorder& out) {
   const double mu_r = 0.3, fall = 1, spin = 20, steps = 2000;
   const Material stone = elastic(48e9, 0.20, 2800);
@@ -203,22 +208,22 @@ void pair(Recorder& out) {
   const double left =
       std::exp(-zeta * frequency * t) * (std::cos(damped * t) - zeta * frequency / damped * std::sin(damped * t));
   const ParticleSnapshot s = stage.dem().particles();
-  const std::string oscillator = "damped oscillator of I* and kr, from the touch to the deepest overlap";
+  const std::string oscillator = "damped oscillator of I* and kr, from the first touch to the largest overlap";
   out.relative("first-spin-lost", spin - s.angular_velocity[0].z, spin * (1 - left), {1e-4, 1e-4}, oscillator);
   out.relative("second-spin-lost", spin + s.angular_velocity[1].z, spin * (1 - left), {1e-4, 1e-4}, oscillator);
 }
 
-/// Recoil where the limit holds for spring and dashpot together, as in LAMMPS, over the recoil here. There the ball
-/// leaves the limit at a velocity of 2 eta and a spring of 1 - 4 eta^2 (units: angle at the limit, 1/omega) and turns
-/// as a free oscillator.
+/// Ratio of two recoils: with one limit for the sum of spring and dashpot, as in LAMMPS, and with a limit for the
+/// spring alone, as here. In LAMMPS the ball leaves the limit with the velocity 2 eta and a spring angle of 1 - 4 eta^2
+/// (units: angle at the limit, 1/omega), and then moves as a free oscillator until it reverses.
 double recoil_of_common_limit() {
   const double eta = damping_share, damped = std::sqrt(1 - eta * eta), x = 1 - 4 * eta * eta, v = 2 * eta;
   const double b = (v + eta * x) / damped, phase = std::atan(v / (eta * b + damped * x));
   return std::exp(-eta * phase / damped) * (x * std::cos(phase) + b * std::sin(phase));
 }
 
-/// The same balls in LAMMPS with the same steps: cases/verification/rocking/README.md. What remains is the error of the
-/// step, and the lever R of friction in LAMMPS, which is R - overlap here.
+/// Comparison with the same balls in LAMMPS at the same steps: cases/verification/rocking/README.md. The remaining
+/// differences are the error of the step, and the lever of friction, which is R in LAMMPS and R - overlap here.
 void lammps(Recorder& out) {
   const std::string code = "LAMMPS 22Jul2025, rolling sds";
   OnFloor stops({spring_dashpot(0.05), 0, 0.2, 0.2 / radius}, out.precision());
@@ -228,7 +233,7 @@ void lammps(Recorder& out) {
   out.relative("half-period", rocking.half_period, 0.01051571, {step, step}, code);
   out.relative("decay", rocking.decay, 0.3740547, {step, step}, code);
   out.relative("recoil", rocking.turned - stops.x(), 2.960955e-6 / recoil_of_common_limit(), {step, step},
-               code + ", where the limit holds for spring and dashpot together");
+               code + ", which limits the sum of spring and dashpot");
   const double creep = creep_in_mixed(4.971903e-7), lever = 2 * OnFloor::overlap(0.1) / radius;
   OnFloor rests({spring_dashpot(0.2), 0.1}, out.precision());
   rests.run_to(0.5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rolling resistance of constant torque: closed forms of rigid-body mechanics for a ball, I = 2/5 m R^2.
+// Rolling resistance by a constant torque: closed forms of rigid-body mechanics for a ball with I = 2/5 m R^2.
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/impact.hpp"
 #include "app/verify/fixtures/on_floor.hpp"
@@ -31,7 +31,7 @@ void flat(Recorder& out) {
   out.absolute("rest", s.run_to(4), 0, {1e-9 * radius, 1e-9}, "at rest for 1 s, R w and v at each 50th step");
 }
 
-/// A ball that only spins, on a floor without friction.
+/// A ball spins on a floor without friction and does not move.
 void smooth_floor(Recorder& out) {
   const double mu_r = 0.02, angular_velocity = 50;
   OnFloor s({{0, 0.5, mu_r}, 0, 0, angular_velocity}, out.precision());
@@ -51,7 +51,7 @@ void down_a_slope(Recorder& out) {
                {2e-3, 2e-3}, source);
 }
 
-/// A resistance above the slope's tangent holds the ball; one below it does not.
+/// A coefficient above the tangent of the slope holds the ball; with a coefficient below it the ball rolls.
 void held_on_a_slope(Recorder& out) {
   const double slope = 0.1;
   OnFloor held({{0.5, 0.5, 1.02 * std::tan(slope)}, slope, 0, 0}, out.precision());
@@ -65,8 +65,8 @@ void held_on_a_slope(Recorder& out) {
   out.relative("speed-below-the-limit", rolls.speed(), 0.5 * 5.0 / 7 * g * 0.1 * std::sin(slope), {5e-3, 5e-3}, source);
 }
 
-/// Two walls hold a ball in a groove that runs downhill. Two contacts share the resistance: together they must not push
-/// the ball uphill.
+/// A ball lies in a groove of two walls that runs downhill. Both contacts contribute to the rolling resistance;
+/// together they must not push the ball uphill.
 void held_in_a_groove(Recorder& out) {
   const double slope = 0.05, half = 1 / std::sqrt(2.0);
   Scene scene = scene_of(soft_rock(), rigid(), {0.5, 0.5, 0.2}, OnFloor::dt);
@@ -87,7 +87,7 @@ void held_in_a_groove(Recorder& out) {
   out.absolute("rest", fastest, 0, {1e-9 * radius, 1e-9}, "at rest, R w and v at each 7th step");
 }
 
-/// Two equal balls roll on each other without slip, spins opposite: the torque mu_r R* Fn acts on both.
+/// Two equal balls with opposite spins roll on each other without slip: the torque mu_r R* Fn acts on both.
 void pair(Recorder& out) {
   const double mu_r = 0.01, angular_velocity = 100, fall = 0.2;
   const Material material = elastic(70e9, 0.33, 2700);
@@ -105,7 +105,7 @@ void pair(Recorder& out) {
                "impulse of the impact x mu_r R*");
 }
 
-/// A ball without spin hits a wall that rotates about the point of the impact: the torque makes the ball rotate too.
+/// A ball without spin hits a wall that rotates about the point of impact: the rolling torque sets the ball rotating.
 void rotating_wall(Recorder& out) {
   const double mu_r = 0.01, fall = 2, e = 0.5, spin = 50;
   const Material material = elastic(70e9, 0.33, 2700);

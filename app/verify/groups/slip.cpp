@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sliding, sticking and the transition between them.
+// Sliding, sticking, and the transition between the two.
 #include "app/verify/fixtures/held_sphere.hpp"
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/on_floor.hpp"
@@ -18,7 +18,7 @@ using std::numbers::pi;
 constexpr double g = OnFloor::g, radius = OnFloor::radius;
 const std::string ball = "rigid-body mechanics of a ball";
 
-/// A ball that is set down sliding begins to roll.
+/// A ball that starts to slide without spin begins to roll.
 void begins_to_roll(Recorder& out) {
   const double mu = 0.5, v0 = 1, end = 2 * v0 / (7 * mu * g);
   OnFloor s({{mu, 0.5, 0}, 0, v0, 0}, out.precision());
@@ -64,8 +64,8 @@ NewRock sphere_at_rig() {
   return held_sphere(0, Rig::contact + Vec3d{radius, 0, 0}, radius);
 }
 
-/// Pressed by 100 N and sheared to and fro: the contact sticks with stiffness St, slides at mu N, and the work of a
-/// cycle is the area of its loop.
+/// A held sphere is pressed with 100 N and sheared back and forth: the contact sticks with the stiffness St and slides
+/// at mu N, and the work of a cycle is the area of its hysteresis loop.
 void stick_and_slip(Recorder& out) {
   const double mu = 0.5, normal = 100;
   const double deep = static_overlap(youngs_against_rigid(metal), radius, normal), stiffness = shear_stiffness(deep);
@@ -73,7 +73,7 @@ void stick_and_slip(Recorder& out) {
   Rig rig(metal, {mu, 1, 0}, 1e-6, sphere_at_rig(), out.precision());
   rig.move(deep, 0, 4000);
   out.relative("normal-force", rig.force().x, normal, {1e-6, 1e-5}, "Hertz");
-  const double start = rig.force().y;  // from the shear while the contact was pressed
+  const double start = rig.force().y;  // caused by shear while the contact was pressed
   rig.move(0, 0.5 * onset, 4000);
   const double half = rig.force().y;
   out.relative("sticking-stiffness", (half - start) / (0.5 * onset), stiffness, {1e-5, 1e-4}, mindlin);
@@ -91,7 +91,7 @@ void stick_and_slip(Recorder& out) {
                "hysteresis 4 mu N (x0 - mu N/St)");
 }
 
-/// A sphere is bonded to a held one: the bond is the spring through which it is driven.
+/// A sphere is bonded to a held sphere and touches the moving wall: the bond is the spring that holds it.
 void through_a_spring(Recorder& out) {
   const double mu = 0.5, bond_radius = 0.02, length = 2 * radius, density = 2700, normal = 100;
   const double area = pi * bond_radius * bond_radius, inertia = pi * std::pow(bond_radius, 4) / 4;
@@ -112,7 +112,7 @@ void through_a_spring(Recorder& out) {
   const double deep = static_overlap(youngs_against_rigid(metal), radius, normal);
   rig.move(deep + normal / (bond.normal_stiffness * area), 0, 40000);
   rig.move(0, 0, 10000);
-  // The sphere shifts and rotates: the bond is sheared, and bent with the lever from its middle to the contact.
+  // The sphere shifts and rotates: the bond is sheared, and it is bent with the lever from its middle to the contact.
   const double lever = radius - deep + length / 2;
   const double compliance =
       1 / shear_stiffness(deep) + 1 / (bond.shear_stiffness * area) + lever * lever / (bond.normal_stiffness * inertia);
@@ -133,8 +133,8 @@ void through_a_spring(Recorder& out) {
   out.relative("sliding-shift", slid, shift / 0.6, {5e-3, 5e-3}, "force is cut to mu N");
 }
 
-/// Load, shear, unload to a quarter, shear back, unload. A tangential spring that kept its force while the contact is
-/// unloaded would return St s^2/4 more work than it received.
+/// A closed loop: load, shear by s, unload to a quarter of the overlap, shear back, unload. If the tangential spring
+/// kept its force while the contact is unloaded, it would return St s^2/4 more work than it received.
 void closed_loop(Recorder& out) {
   const double deep = 1e-5, shear = 1e-5;
   Rig rig(metal, {100, 1, 0}, 1e-6, sphere_at_rig(), out.precision());
@@ -146,13 +146,13 @@ void closed_loop(Recorder& out) {
   const double left = rig.force().y;
   rig.move(-0.3 * deep, 0, 20000);
   const double full = shear_stiffness(deep) * shear;
-  out.relative("force-after-unloading", kept, 0.5 * full, {1e-3, 1e-3}, "softens with St: sqrt(1/4)");
+  out.relative("force-after-unloading", kept, 0.5 * full, {1e-3, 1e-3}, "falls with St: sqrt(1/4)");
   out.absolute("force-after-shearing-back", left / full, 0, {1e-3, 1e-3}, "half the force, half the stiffness");
   out.relative("work", rig.work(), 0.25 * full * shear, {3e-3, 3e-3}, "St s^2 (1/2 - 1/4), never negative");
 }
 
-/// Sphere and wall rotate together, the sphere a little faster: the spring grows by the difference and rotates with
-/// them.
+/// Sphere and wall rotate together, the sphere a little faster: the tangential spring grows by the difference, and
+/// rotates with the contact.
 void rotating_contact(Recorder& out) {
   const double deep = 1e-5, angular_velocity = 20, more = 1e-3, dt = 5e-5;
   const int steps = 1000;  // one radian
@@ -165,7 +165,7 @@ void rotating_contact(Recorder& out) {
   const double angle = angular_velocity * stage.time(), normal = hertz_force(metal, radius, deep);
   const Vec3d up{std::sin(angle), 0, std::cos(angle)}, along{std::cos(angle), 0, -std::sin(angle)};
   const Vec3d force = stage.dem().particles().force[0];
-  // The contact exists at the start, so the spring has grown for one step more than the elapsed time.
+  // The contact exists from the start, so that the spring has grown for one step more than the elapsed time.
   const double stretched = more * (radius - deep) * (steps + 1) * dt;
   out.relative("friction", dot(force, along), shear_stiffness(deep) * stretched, {1e-5, 1e-4}, mindlin);
   out.relative("normal-force", dot(force, up), normal, {1e-6, 1e-5}, "Hertz");

@@ -50,7 +50,7 @@ struct Row {
 
 /// Test 6, slow spins: the contact sticks.
 void falls_and_sticks(Recorder& out, const Material& material, std::span<const Row> rows) {
-  const std::string source = "impact_reference.py: independent integration of the law";
+  const std::string source = "impact_reference.py: independent integration of the same law";
   for (const Row& row : rows) {
     const ObliqueResult got = hit_obliquely({material, rough, radius, 0, fall, row.angular_velocity}, out.precision());
     out.relative(at_spin(row.angular_velocity) + "-velocity", got.slide, row.velocity, {2e-3, 2e-3}, source);
@@ -59,7 +59,7 @@ void falls_and_sticks(Recorder& out, const Material& material, std::span<const R
   }
 }
 
-/// Two spheres that meet head on and spin about z [rad/s]. @return their motion once they have parted
+/// Two spheres collide head on while they spin about z [rad/s]. @return their motion after they have separated
 ParticleSnapshot two_meet(const Material& material, double spin_0, double spin_1, Precision precision) {
   Stage stage(scene_of(material, rigid(), rough, head_on_impact(material, radius, fall).duration / 1000), precision);
   stage.insert(head_on(material, radius, fall, spin_0, spin_1));
@@ -67,7 +67,7 @@ ParticleSnapshot two_meet(const Material& material, double spin_0, double spin_1
   return stage.dem().particles();
 }
 
-/// Test 7: opposite spins roll on each other without slip.
+/// Test 7: spheres with opposite spins roll on each other without slip.
 void opposite_spins(Recorder& out, const Material& material) {
   for (const double angular_velocity : {0.175, 22.86}) {
     const ParticleSnapshot s = two_meet(material, angular_velocity, -angular_velocity, out.precision());
@@ -79,11 +79,11 @@ void opposite_spins(Recorder& out, const Material& material) {
                  norm(s.velocity[0] + s.velocity[1]) + std::abs(s.velocity[0].y), 0, {1e-12, 1e-12},
                  "no slip, no friction");
     out.relative(at_spin(angular_velocity) + "-rebound", -s.velocity[0].x / fall, 0.5, {5e-4, 5e-4},
-                 "restitution asked for");
+                 "prescribed restitution");
   }
 }
 
-/// Equal spins slide as on a wall; each sphere contributes half of the sliding speed.
+/// Spheres with equal spins slide as on a wall; each sphere contributes half of the sliding speed.
 void equal_spins(Recorder& out) {
   const double angular_velocity = 22.86;
   const ParticleSnapshot s = two_meet(alloy, angular_velocity, angular_velocity, out.precision());
@@ -95,7 +95,8 @@ void equal_spins(Recorder& out) {
   }
 }
 
-/// Test 8 in a form with a closed answer: a sphere that spins and slides hits one of another size.
+/// Test 8, reduced to what has an exact reference: a sphere that spins and slides hits a sphere of another size, and
+/// the momenta are conserved.
 void unequal_pair(Recorder& out, double other) {
   const double angular_velocity = 22.86, slide = 0.3;
   Stage stage(scene_of(alloy, rigid(), rough, impact_on_wall(alloy, radius, fall).duration / 2000), out.precision());
@@ -110,7 +111,7 @@ void unequal_pair(Recorder& out, double other) {
                "conserved");
 }
 
-/// A partner of 50 m acts as a wall, half as stiff as a rigid one.
+/// A partner of 50 m radius acts like a wall with half the stiffness of a rigid one.
 void huge_partner(Recorder& out) {
   const double angular_velocity = 22.86, other = 50;
   const ElasticImpact theory(youngs_of_pair(alloy), radius, sphere_mass(radius, alloy.density), fall);

@@ -13,13 +13,13 @@ namespace {
 
 const std::string source = "truncated normal, error function";
 
-/// A distribution of mean 1 and deviation 1 that is cut at both ends, and its exact properties.
+/// A normal distribution with mean 1 and standard deviation 1 that is truncated at both ends, and its exact properties.
 struct Exact {
   std::string name;
   TruncatedNormal scatter;
-  double deviation;                              ///< of what the cuts leave
-  double acceptance;                             ///< share of the normal distribution between the cuts
-  std::vector<std::array<double, 2>> quantiles;  ///< percent, factor
+  double deviation;                              ///< standard deviation of the truncated distribution
+  double acceptance;                             ///< share of the normal distribution between the limits
+  std::vector<std::array<double, 2>> quantiles;  ///< percent, strength factor
 };
 
 void quantiles(Recorder& out) {
@@ -48,7 +48,7 @@ void quantiles(Recorder& out) {
     constexpr int n = 20000;
     for (int k = 0; k < n; ++k) squares += std::pow(strength_at(f.scatter, (k + 0.5) / n) - 1, 2) / n;
     out.relative(f.name + "-deviation", std::sqrt(squares), f.deviation, {3e-6, 3e-6}, source);
-    // Density at the median is 1/(sqrt(2 pi) acceptance).
+    // The density at the median is 1/(sqrt(2 pi) acceptance).
     const double slope = (strength_at(f.scatter, 0.5 + 1e-4) - strength_at(f.scatter, 0.5 - 1e-4)) / 2e-4;
     out.relative(f.name + "-acceptance", slope / std::sqrt(2 * std::numbers::pi), f.acceptance, {3e-6, 3e-6}, source);
   }
@@ -59,7 +59,7 @@ double distribution(const TruncatedNormal& s, double x) {
   return (below(x) - below(s.lower)) / (below(s.upper) - below(s.lower));
 }
 
-/// Kolmogorov-Smirnov over a million bonds: chains of a thousand particles in a thousand rocks.
+/// Kolmogorov-Smirnov test of the factors of a million bonds: chains of a thousand particles in a thousand rocks.
 void million_bonds(Recorder& out) {
   constexpr int n = 1000000;
   for (const double deviation : {1.0, 0.2}) {
@@ -82,11 +82,11 @@ void million_bonds(Recorder& out) {
     const std::string name = "deviation-" + std::to_string(std::lround(100 * deviation));
     out.within(name + "-distance", distance * std::sqrt(double{n}), 0, 1.628, "Kolmogorov-Smirnov, p = 0.01");
     out.absolute(name + "-correlation-of-neighbours", product / squares, 0, {4e-3, 4e-3}, "independent draws, 4 sigma");
-    out.within(name + "-range", x.back() - x.front(), 1.19, 1.2, "within the cuts");
+    out.within(name + "-range", x.back() - x.front(), 1.19, 1.2, "within the limits");
   }
 }
 
-/// The weakest of 383 bonds: 0.4 + 1/(383 x density at the lower end) in the mean; it scatters by 0.0035.
+/// The weakest of 383 bonds: its mean is 0.4 + 1/(383 x density at the lower limit), its standard deviation is 0.0035.
 void weakest_bond(Recorder& out) {
   constexpr int rocks = 2000;
   double sum = 0;
@@ -101,7 +101,7 @@ void weakest_bond(Recorder& out) {
   out.absolute("of-383", sum / rocks, 0.40352, {4 * 0.0035 / 44.7, 4 * 0.0035 / 44.7}, "expected minimum, 4 sigma");
 }
 
-/// The factor depends on seed, rock and the pair of particles, and on nothing else.
+/// The factor depends only on the seed, the rock and the pair of particles.
 void keyed(Recorder& out) {
   const TruncatedNormal s{1, 0.2, 0.4, 1.6};
   const double one = strength_factor(s, 42, 7, 100, 200);

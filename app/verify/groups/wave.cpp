@@ -17,10 +17,10 @@ namespace {
 using namespace fixtures;
 using std::numbers::pi;
 
-constexpr int length = 50;         // spheres beyond the clamp
-constexpr double speed = 1963.12;  // long waves: L sqrt(kn A/m) [m/s]
+constexpr int length = 50;         // spheres beyond the clamped one
+constexpr double speed = 1963.12;  // of long waves: L sqrt(kn A/m) [m/s]
 
-/// Velocity of sphere k of a semi-infinite chain whose end moves at 1 from time 0 on:
+/// Velocity of sphere k of a semi-infinite chain whose end moves with the velocity 1 from time 0 on:
 ///   J_2k(tau) + 2 J_2k+2(tau) + 2 J_2k+4(tau) ...  with tau = 2 sqrt(k/m) t
 double chain_velocity(int sphere, double tau) {
   double sum = std::cyl_bessel_j(2 * sphere, tau);
@@ -28,7 +28,7 @@ double chain_velocity(int sphere, double tau) {
   return sum;
 }
 
-/// Time at which sphere k has half the speed of the end, in units of tau, by bisection.
+/// Time tau at which sphere k reaches half the velocity of the end, by bisection.
 double half_time(int sphere) {
   double low = 0, high = 2.0 * sphere + 8;
   for (int k = 0; k < 60; ++k) {
@@ -38,7 +38,7 @@ double half_time(int sphere) {
   return low;
 }
 
-/// The clamp begins to move: times at which spheres 10, 20 ... 40 have half its speed.
+/// The clamped sphere starts to move at constant velocity: times at which spheres 10, 20, 30 and 40 reach half of it.
 void front(Recorder& out) {
   constexpr double push = 1e-3;
   Stage stage(bonded_scene(2e-7, paper_bonds()), out.precision());
@@ -64,7 +64,7 @@ void front(Recorder& out) {
   }
 }
 
-/// Frequency of mode j of the bar, clamped at one end: wave number q = (2 j - 1) pi/((2 n + 1) L).
+/// Frequency of mode j of a bar that is clamped at one end [Hz]: its wave number is q = (2 j - 1) pi/((2 n + 1) L).
 double mode_frequency(int j, double stiffness, double inertia) {
   return std::sqrt(stiffness / inertia) / pi * std::sin((2 * j - 1) * pi / (2 * (2 * length + 1)));
 }

@@ -76,10 +76,10 @@ TEST_CASE("A filter that matches no check is refused with the list of groups bef
   const verify::CheckNames names{{"group/case", {"group/case/value"}}, {"other/long", {"other/long/value"}}};
   using Catch::Matchers::Message;
   CHECK_THROWS_MATCHES(verify::report(all, names, {.filter = "no/such"}), BadInput,
-                       Message("--filter: no check fits 'no/such'; give a part of a name group/case/quantity, "
+                       Message("--filter: no check matches 'no/such'; give a part of a name group/case/quantity; "
                                "the groups are group other"));
   CHECK_THROWS_MATCHES(verify::report(all, names, {.filter = "other"}), BadInput,
-                       Message("--filter: only nightly checks fit 'other'; add --nightly to run them"));
+                       Message("--filter: only nightly checks match 'other'; add --nightly to run them"));
 }
 
 TEST_CASE("Checks whose names are not those in names.txt are an error of the program") {

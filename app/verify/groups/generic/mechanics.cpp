@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symmetries and conservation laws that hold in any scene: frame, rotation, mirror, order, time, momenta.
+// Symmetries and conservation laws that hold in any scene: drift, rotation, mirroring, order of insertion, time
+// reversal, momenta.
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/random.hpp"
 #include "app/verify/fixtures/rocks.hpp"
@@ -25,7 +26,8 @@ Scene free_scene() {
   return bonded_scene(dt, bonds, {0.5, 0.25, 0.02});
 }
 
-/// Two inclined rocks that collide off centre, and three spheres in their path. All of it is rotated and drifts.
+/// Two inclined rocks that collide off centre, and three spheres in their path. The whole scene is rotated and moves
+/// with `drift`.
 std::vector<NewRock> collision(const Quatd& orientation = {1, 0, 0, 0}, const Vec3d& drift = {0, 0, 0}) {
   const NewRock cube = lattice(0, 3, {.bond_radius = grain / 4});
   std::vector<NewRock> rocks{placed(cube, 0, 0, {-0.047, 0.01, 0}, rotation_by({0.24, 0, 0.32})),
@@ -62,7 +64,7 @@ double largest(const Column& a) {
   return largest_difference(a, Column(a.size(), Vec3d{0, 0, 0}));
 }
 
-/// Verlet with a constant force is exact up to the rounding of 1e5 sums: x = x0 + v t - g t^2/2.
+/// With a constant force velocity Verlet is exact up to the rounding of 1e5 sums: x = x0 + v t - g t^2/2.
 void free_fall(Recorder& out) {
   Scene scene = scene_of(elastic(1e9, 0.3, rock_density), rigid(), {0, 1, 0}, 1e-5);
   scene.gravity = {0, 0, -9.81};
@@ -83,7 +85,7 @@ void drift(Recorder& out) {
   ParticleSnapshot b = after(free_scene(), out.precision(), collision({1, 0, 0, 0}, wind), 3000);
   for (Vec3d& x : b.position) x -= (3000 * dt) * wind;
   out.within("largest-force", largest(a.force), 10, 1e6, "the scene is loaded");
-  // Positions are rounded to 1e-17 m here, with a bond of 2e8 N/m to 2e-9 N; a sphere has up to six bonds.
+  // Positions are rounded to 1e-17 m, which at a bond stiffness of 2e8 N/m is 2e-9 N; a sphere has up to six bonds.
   out.absolute("force", std::max(0.0, largest_difference(a.force, b.force) - 12e-9) / largest(a.force), 0, {1e-9, 1e-3},
                "Galilean invariance");
   out.absolute("position", largest_difference(a.position, b.position) / grain, 0, {1e-9, 1e-4}, "Galilean invariance");
@@ -121,7 +123,7 @@ void mirror(Recorder& out) {
                {1e-8, 1e-3}, "mirror symmetry");
 }
 
-/// Rocks that break while they collide, inserted in three orders.
+/// Rocks that break while they collide, inserted in three different orders.
 void permutation(Recorder& out) {
   Scene scene = free_scene();
   scene.bonds->tensile_strength = scene.bonds->shear_strength = 2e6;
@@ -139,7 +141,7 @@ void permutation(Recorder& out) {
   }
 }
 
-/// Smooth elastic spheres in a box under gravity return to their first positions when all velocities are reversed.
+/// After all velocities are reversed, frictionless elastic spheres in a box return to their initial positions.
 void time_reversal(Recorder& out) {
   constexpr double radius = 0.012;
   Scene scene = paper_scene(1e-5, {0, 1, 0});

@@ -17,9 +17,10 @@ using namespace fixtures;
 using std::numbers::pi;
 
 constexpr double gravity = 9.81;
-constexpr Index smooth = 2;  ///< material of cylinders that are lifted
+constexpr Index smooth = 2;  ///< frictionless material, for the cylinder that is lifted
 
-/// Spheres of diameter d (1 +- 0.1) on a loose lattice in a cylinder about z, with small random velocities.
+/// Spheres of diameters d (1 +- 0.1) on a loose lattice in a cylinder about z, with small random velocities.
+/// @param cylinder  its radius [m]
 std::vector<NewRock> fill(double d, double cylinder, double height, std::uint64_t seed) {
   std::vector<NewRock> rocks;
   const double step = 1.12 * d;
@@ -37,7 +38,8 @@ std::vector<NewRock> fill(double d, double cylinder, double height, std::uint64_
   return rocks;
 }
 
-/// Grains of 2 MPa: under a metre of their own weight they overlap by less than 0.01 d.
+/// Grains with a Young's modulus of 2 MPa: at the bottom of 0.1 m of filling Hertz's overlap of six contacts per grain
+/// is about 0.015 d.
 Scene grains(const PairProperties& pair, double dt) {
   const Material soft = elastic(2e6, 0.3, rock_density);
   Scene scene = scene_of(soft, soft, pair, dt);
@@ -49,8 +51,8 @@ Scene grains(const PairProperties& pair, double dt) {
   return scene;
 }
 
-/// Angle of the heap that a lifted cylinder leaves [degrees]. The mean height of a cone is h/4 and its mean radius r/2,
-/// so the tangent is 2 mean height/mean radius.
+/// Angle of the heap that remains after the cylinder has been lifted [degrees]. A cone of height h and radius r has the
+/// mean height h/4 and the mean radius r/2, so that the tangent is 2 mean height/mean radius.
 double heap_angle(const PairProperties& pair, std::uint64_t seed, Precision precision) {
   constexpr double dt = 1.6e-4, d = 0.01, cylinder = 0.045, filling = 0.16, lift = 0.08, duration = 2.4;
   Scene scene = grains(pair, dt);
@@ -64,7 +66,7 @@ double heap_angle(const PairProperties& pair, std::uint64_t seed, Precision prec
   double height = 0, radius = 0;
   for (std::size_t k = 0; k < s.size(); ++k) {
     const double r = std::hypot(s.position[k].x, s.position[k].y);
-    if (r > 15 * d) continue;  // it has rolled away
+    if (r > 15 * d) continue;  // this sphere has rolled away
     height += s.mass[k] * s.position[k].z;
     radius += s.mass[k] * r;
   }
@@ -78,7 +80,7 @@ struct Heap {
   double lammps;  ///< [degrees], cases/verification/repose/README.md
 };
 
-/// Mean of five seeds [degrees], which agree with each other and with LAMMPS.
+/// Mean angle of five seeds [degrees]. Checks that the seeds agree with each other and their mean with LAMMPS.
 double mean_angle(Recorder& out, const Heap& heap) {
   double low = 90, high = 0, sum = 0;
   constexpr int seeds = 5;
@@ -94,7 +96,8 @@ double mean_angle(Recorder& out, const Heap& heap) {
   return sum / seeds;
 }
 
-/// There is no closed form: the angles are those of another code, and grow with either friction.
+/// There is no closed form. The angles are compared with those of LAMMPS, and they must grow with the sliding and with
+/// the rolling friction.
 void repose(Recorder& out) {
   const double slick = mean_angle(out, {"friction-2-tenths", {0.2, 0.5, 0.1}, 10.64}),
                middle = mean_angle(out, {"friction-5-tenths", {0.5, 0.5, 0.1}, 15.69}),

@@ -18,24 +18,25 @@ namespace {
 using namespace fixtures;
 using std::numbers::pi;
 
-constexpr double gravity = 9.81, d = 0.005;  // [m/s2], mean diameter of the grains [m]
+constexpr double gravity = 9.81, d = 0.005;  // [m/s2]; mean diameter of the grains [m]
 constexpr double dt = 1.5e-4;                // [s]
 constexpr int tick = 150;                    // steps in which a grain falls from rest by d/2
 constexpr double spacing = 1.12 * d;         // of the lattice on which grains start [m]
-constexpr double loose = 1.55;               // height of that lattice over the height to which it settles
+constexpr double loose = 1.55;               // height of that lattice / height of the filling after it has settled
 
 /// Grains of diameter d (1 +- 0.1) in a flat-bottomed cylinder 2.5 times as wide as its round orifice. Grains that
 /// leave are replaced on top, so that the flow is steady and can be averaged for any time.
 class Silo {
  public:
-  /// The orifice is open from the start, while a loose filling settles. @param filling  about its height then [m]
+  /// Fills the silo loosely and runs until the filling has settled; the orifice is open from the start.
+  /// @param orifice  its diameter [m]  @param filling  approximate height after settling [m]
   Silo(double orifice, double filling, Precision precision);
 
-  /// Mean mass flow during some ticks [kg/s].
+  /// Runs for a number of ticks. @return the mean mass flow [kg/s]
   double flow(int ticks);
-  /// Mass of grains per volume between 0.5 and 1.5 orifices above the floor [kg/m3].
+  /// Mass of grains per volume at heights of 0.5 to 1.5 orifice diameters [kg/m3].
   double bulk_density();
-  /// Height of the filling, were it of that density throughout [m].
+  /// Height that the filling would have with this density throughout [m].
   double level();
 
  private:
@@ -56,7 +57,7 @@ class Silo {
   Stage stage_;
 };
 
-/// Grains of 1 MPa; README.md has the effect of their softness on the flow.
+/// Grains with a Young's modulus of 1 MPa; README.md gives the effect of their softness on the flow.
 Scene silo_scene(double orifice, double wall) {
   const Material soft = elastic(1e6, 0.3, rock_density);
   Scene scene = scene_of(soft, soft, {0.5, 0.5, 0}, dt);
@@ -104,7 +105,7 @@ Silo::Left Silo::advance() {
   return {gone.size(), mass};
 }
 
-/// Grains all over the cylinder, falling fast enough to make room for those of the next tick.
+/// Inserts grains all over the section of the cylinder. They fall fast enough to make room for those of the next tick.
 void Silo::pour(std::size_t grains) {
   if (grains == 0) return;
   if (grains > cells_.size()) throw std::logic_error("silo: more grains leave in a tick than there is room for on top");
@@ -143,10 +144,11 @@ double Silo::level() {
 }
 
 struct Outflow {
-  double rate, bulk_density, level;  ///< [kg/s], [kg/m3], height of the filling over the orifice [-]
+  double rate, bulk_density, level;  ///< [kg/s], [kg/m3], height of the filling / orifice diameter [-]
 };
 
-/// Measured during some ticks, after a few in which the flow becomes steady.
+/// Flow of a silo, measured during `ticks` ticks after 8 ticks in which it becomes steady.
+/// @param diameters  of the orifice, in d  @param filling  height in orifice diameters
 Outflow outflow(int diameters, double filling, int ticks, Precision precision) {
   const double orifice = diameters * d;
   Silo silo(orifice, filling * orifice, precision);
@@ -155,20 +157,20 @@ Outflow outflow(int diameters, double filling, int ticks, Precision precision) {
   return {rate, silo.bulk_density(), silo.level() / orifice};
 }
 
-/// Flow through a small orifice over the 5/2 power of D - d:
+/// Factor of a small orifice on the flow that is proportional to (D - d)^(5/2):
 ///   1 - exp(-b (D/d - 1))/2 with b = 0.051 (Mankoc et al., Granular Matter 9 (2007) 407).
 double small_orifice(int diameters) {
   return 1 - 0.5 * std::exp(-0.051 * (diameters - 1));
 }
 
-/// Beverloo's factor at each size, and the power over all sizes with the effect of small orifices divided out; with k
-/// = 1.4 alone it is larger (README.md).
+/// Beverloo's factor at each orifice size, and the exponent over all sizes after division by the factor of small
+/// orifices; without this division and with k = 1.4 the exponent is larger (README.md).
 void silo(Recorder& out) {
   struct Size {
     int diameters, ticks;
   };
   constexpr std::array<Size, 3> sizes{{{8, 32}, {10, 16}, {12, 16}}};
-  constexpr double filling = 2.8;  // height over the orifice, before it becomes dense
+  constexpr double filling = 2.8;  // height / orifice diameter, before the filling becomes dense
   const std::string law = "Beverloo (1961): C rho_b sqrt(g) (D - k d)^2.5, C 0.58, k 1.4";
   std::array<double, sizes.size()> rate{}, width{}, flow_of_large{};
   for (std::size_t n = 0; n < sizes.size(); ++n) {

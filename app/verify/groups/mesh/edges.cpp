@@ -22,7 +22,7 @@ using std::numbers::pi;
 constexpr double radius = 0.01;
 const Material rock = soft_rock();
 
-/// Floor z = 0 for x < 0, riser x = 0 from z = 0 to 0.2, top z = 0.2 for x > 0.
+/// A stair: floor z = 0 for x < 0, riser x = 0 from z = 0 to 0.2, top z = 0.2 for x > 0 [m].
 Wall stair() {
   return {"stair",
           TriangleMesh{
@@ -35,9 +35,9 @@ Wall fold(double degrees) {
   return {"fold", folded(degrees, 1), Fixed{}, 1};
 }
 
-/// A held sphere passes the upper edge of the stair: face, edge, face.
+/// A held sphere passes the upper edge of the stair; it touches first the top, then the edge, then the riser.
 void over_a_convex_edge(Recorder& out) {
-  const double k = 0.94 * radius, path = 1.08 * radius;  // passes the edge at k/sqrt(2)
+  const double k = 0.94 * radius, path = 1.08 * radius;  // it passes the edge at a distance of k/sqrt(2)
   const int steps = 2000;
   Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 1e-6);
   scene.walls = {stair()};
@@ -49,7 +49,7 @@ void over_a_convex_edge(Recorder& out) {
   for (int n = 1; n <= steps; ++n) {
     stage.advance(1);
     const ParticleSnapshot s = stage.dem().particles();
-    // The nearest point of the quarter space x > 0, z < 0.2.
+    // From the nearest point of the quarter space x > 0, z < 0.2.
     const Vec3d x = s.position[0];
     const Vec3d from{x.x < 0 ? x.x : 0, 0, x.z > 0.2 ? x.z - 0.2 : 0};
     const double deep = radius - norm(from);
@@ -63,7 +63,7 @@ void over_a_convex_edge(Recorder& out) {
   out.within("largest-change-x-steps", largest_step / peak * steps, 0, 10, "continuous: no jump in a step");
 }
 
-/// A sphere rolls slowly over the edge and falls: the edge does no work on it.
+/// A frictionless sphere moves slowly over the edge and falls: the edge does no work on it.
 void rolls_over_a_convex_edge(Recorder& out) {
   Scene scene = scene_of(rock, rigid(), {0, 1, 0}, 2e-6);
   scene.gravity = {0, 0, -9.81};
@@ -79,11 +79,11 @@ void rolls_over_a_convex_edge(Recorder& out) {
   }
   const ParticleSnapshot s = stage.dem().particles();
   out.absolute("has-left", s.position[0].x < -0.003 && s.position[0].z < 0.2 ? 1 : 0, 1, {0, 0},
-               "it falls beside the edge");
+               "it has fallen past the edge");
   out.absolute("energy", worst / (mass * 9.81 * radius), 0, {1e-5, 1e-5}, "conserved, over m g R");
 }
 
-/// In a corner of right angles each face is a full contact.
+/// In a right-angled corner each face is a full contact.
 void corners(Recorder& out) {
   const double a = 0.02 * radius, b = 0.03 * radius, c = 0.01 * radius;
   const Vec3d two = force_on_held({stair()}, rock, radius, {a - radius, 0.1, radius - b}, out.precision());
@@ -97,7 +97,7 @@ void corners(Recorder& out) {
   out.relative("three-faces-z", three.z, hertz_force(rock, radius, c), {1e-9, 1e-6}, "Hertz on each face");
 }
 
-/// A sphere above a seam overlaps both faces by `deep`. @return its force over that on a plane, less 1
+/// A sphere above a seam overlaps both faces by `deep`. @return relative deviation of its force from that on a plane
 double seam_error(double degrees, Precision precision) {
   const double deep = 0.01 * radius, half = (180 - degrees) / 2 * pi / 180;
   const Vec3d force =
@@ -105,7 +105,7 @@ double seam_error(double degrees, Precision precision) {
   return norm(force - Vec3d{0, 0, hertz_force(rock, radius, deep)}) / hertz_force(rock, radius, deep);
 }
 
-/// A seam acts as a plane in the limit of a flat fold.
+/// In the limit of a flat fold a seam acts like a plane.
 void flat_seams(Recorder& out) {
   for (const double degrees : {178.0, 179.0, 179.9}) {
     const double bend = (180 - degrees) * pi / 180;
@@ -115,8 +115,8 @@ void flat_seams(Recorder& out) {
   }
 }
 
-/// A held sphere crosses a fold in so many steps. @return the largest change of its force in a step, over that on a
-/// plane
+/// A held sphere crosses a fold in a number of steps. @return the largest change of its force in one step, divided by
+/// the force on a plane
 double largest_change(double degrees, int steps, Precision precision) {
   const double deep = 0.01 * radius, half = std::abs(180 - degrees) / 2 * pi / 180;
   const bool valley = degrees < 180;
@@ -138,7 +138,7 @@ double largest_change(double degrees, int steps, Precision precision) {
   return largest / hertz_force(rock, radius, deep);
 }
 
-/// The force is continuous: a jump would not become smaller with the step.
+/// The force is continuous: its largest change falls with the step, while a jump would not.
 void no_jumps(Recorder& out) {
   const double folds[] = {90, 119, 121, 150, 175, 179, 179.9, 190, 240, 270};
   for (const double degrees : folds) {
@@ -149,8 +149,9 @@ void no_jumps(Recorder& out) {
   }
 }
 
-/// A held sphere crosses a valley without slip. The first face is unloaded, then the second is loaded, and the friction
-/// of the first is carried over: with S(x) = 8 G* sqrt(R d), F = S(0) w + the integral of S over the second face.
+/// A held sphere crosses a valley without slip, by the length `path` on each face. The first face is unloaded, then the
+/// second is loaded, and the friction of the first is carried over: F = S(0) path + the integral of S over the second
+/// face, with S(x) = 8 G* sqrt(R d).
 void friction_across_a_valley(Recorder& out) {
   const double degrees = 179, half = 0.5 * pi / 180, deep = 0.01 * radius, path = 0.026 * radius;
   const double height = (radius - deep) / std::cos(half);
@@ -173,7 +174,7 @@ void friction_across_a_valley(Recorder& out) {
                "Mindlin without slip, over both faces");
 }
 
-/// The force of the tip of a pyramid points away from the tip.
+/// The force from the tip of a pyramid points away from the tip.
 void tip(Recorder& out) {
   const Wall pyramid{"pyramid",
                      TriangleMesh{{{0, 0, 0}, {1, 0, -1}, {0, 1, -1}, {-1, 0, -1}, {0, -1, -1}},

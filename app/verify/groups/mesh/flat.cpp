@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A flat mesh acts as a plane, whatever its triangles (M1, M2).
+// A flat mesh acts like a plane, however it is divided into triangles (M1, M2).
 #include "app/verify/fixtures/held_sphere.hpp"
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/meshes.hpp"
@@ -20,7 +20,7 @@ using namespace fixtures;
 using std::numbers::pi;
 
 constexpr double radius = 0.01, speed = 2, preload = 100;
-constexpr int rays = 8, steps = 50000, every = 50;  // 1 m
+constexpr int rays = 8, steps = 50000, every = 50;  // the steps are a path of 1 m
 const Material rock = soft_rock();
 const std::string plane_run = "the same scene on a plane";
 
@@ -33,12 +33,13 @@ Vec3d heading(int ray) {
   return {std::cos(angle), std::sin(angle), 0};
 }
 
-/// Spheres that roll or are led from the middle of a floor in eight directions.
+/// Spheres that move from the middle of a floor in eight directions: they roll, or they are held at constant velocity
+/// and slide.
 std::unique_ptr<Stage> start(const Wall& floor, bool rolling, Precision precision) {
   Scene scene = scene_of(rock, rigid(), {rolling ? 0.3 : 5.0, 0.5, 0}, 1e-5);
   scene.walls = {floor};
   const double deep = static_overlap(youngs_against_rigid(rock), radius, preload);
-  // Gravity also pulls a little sideways, so that friction acts while the spheres roll.
+  // Gravity has a small sideways component, so that friction acts while the spheres roll.
   if (rolling) scene.gravity = {2, 1, -preload / sphere_mass(radius, rock.density)};
   auto stage = std::make_unique<Stage>(scene, precision);
   for (int k = 0; k < rays; ++k) {
@@ -51,7 +52,7 @@ std::unique_ptr<Stage> start(const Wall& floor, bool rolling, Precision precisio
   return stage;
 }
 
-/// Largest differences of two runs, at every fiftieth step.
+/// Largest differences between two runs, taken at every fiftieth step.
 struct Differences {
   double height = 0, path = 0, normal = 0, friction = 0, angular_velocity = 0, energy = 0;
 
@@ -97,7 +98,7 @@ void slides(Recorder& out, int splits) {
   out.absolute("friction", d.friction, 0, {1e-9, 1e-6}, plane_run + ", over the preload");
 }
 
-/// A fan is touched once, above a face, an edge and a corner, from both sides.
+/// A sphere has exactly one contact with a fan, above a face, an edge and a corner, from both sides.
 void fans(Recorder& out) {
   double worst = 0;
   const double deep = 1e-4, expected = hertz_force(rock, radius, deep);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walls that move, and the loads on them (M6 to M9).
+// Moving walls, and the loads on walls (M6 to M9).
 #include "app/verify/fixtures/held_sphere.hpp"
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/meshes.hpp"
@@ -25,7 +25,7 @@ using std::numbers::pi;
 constexpr double radius = 0.01, g = 9.81;
 const Material rock = soft_rock();
 
-/// Three spheres bonded to a triangle, which cannot roll.
+/// Three spheres that are bonded in a triangle, so that they cannot roll.
 NewRock sledge(ParticleId first, const Vec3d& middle) {
   NewRock rock_of_three;
   rock_of_three.id = 0;
@@ -71,7 +71,7 @@ void belt(Recorder& out) {
   out.relative("block-velocity", block_speed, belt, {1e-4, 1e-4}, "V");
 }
 
-/// The tangential spring of a held sphere grows with the velocity of the disc below it in each step.
+/// In each step the tangential spring of a held sphere grows with the velocity of the disc below it.
 void disc_under_a_held_sphere(Recorder& out) {
   const double angular_velocity = 10, deep = 1e-4, dt = 1e-7;
   const Vec3d axis = 1 / std::sqrt(3.0) * Vec3d{0, 0, std::sqrt(3.0)}, point{0.1, 0.2, 0}, foot{0.35, -0.1, 0};
@@ -90,7 +90,7 @@ void disc_under_a_held_sphere(Recorder& out) {
                "omega x r, from the change of the tangential force");
 }
 
-/// A ball that rolls on a turntable moves in a circle at 2/7 of its angular velocity.
+/// A ball that rolls on a turntable moves in a circle at 2/7 of the table's angular velocity.
 void ball_on_a_turntable(Recorder& out) {
   const double angular_velocity = 10, v = 0.2, dt = 1e-5, orbit = 2 * angular_velocity / 7, period = 2 * pi / orbit;
   Scene scene = scene_of(rock, rigid(), {0.8, 0.5, 0}, dt);
@@ -99,7 +99,7 @@ void ball_on_a_turntable(Recorder& out) {
   scene.walls[0].motion = RotationMotion{{0, 0, 1}, {0, 0, 0}, angular_velocity};
   Stage stage(scene, out.precision());
   const double z = radius - static_overlap(youngs_against_rigid(rock), radius, sphere_mass(radius, rock.density) * g);
-  // No slip at the start: v + w x (-R z) = spin x r.
+  // There is no slip at the start: v + w x (-R z) = W x r, with the angular velocity W of the table.
   const Vec3d start{0.1, 0, z}, velocity{0, v, 0}, under{0, angular_velocity * start.x, 0};
   const Vec3d slip = under - velocity;
   stage.insert({sphere(0, start, velocity, radius, rock.density, {slip.y / radius, -slip.x / radius, 0})});
@@ -113,8 +113,8 @@ void ball_on_a_turntable(Recorder& out) {
   out.relative("speed", norm(s.velocity[0]), v, {2e-3, 2e-3}, "constant");
 }
 
-/// Spheres gain the momentum and angular momentum that walls lose: moving planes, profiles and meshes, with friction
-/// and rolling resistance. The spheres start and end in free flight.
+/// The momentum and angular momentum that the spheres gain are opposite to the impulses on the walls: moving planes,
+/// profiles and meshes, with friction and rolling resistance. The spheres start and end in free flight.
 void action_and_reaction(Recorder& out) {
   const double big = 0.5, dt = 2e-6;
   const ProfileShape ring{{{4, -3}, {4, 3}}};
@@ -149,7 +149,7 @@ void action_and_reaction(Recorder& out) {
   const Vec3d gained = stage.dem().momentum() - p0, gained_angular = angular_momentum(s) - l0;
   double minimum = norm(impulse[0]);
   for (const Vec3d& i : impulse) minimum = std::min(minimum, norm(i));
-  out.within("smallest-impulse-of-a-wall-over-all", minimum / exchanged, 1e-3, 1, "each wall is hit");
+  out.within("smallest-impulse-of-a-wall-over-all", minimum / exchanged, 1e-3, 1, "every wall is hit");
   out.absolute("free-at-the-end", pushing, 0, {0, 0}, "no contact at the end");
   out.absolute("momentum", norm(gained + impulse[0] + impulse[1] + impulse[2]) / exchanged, 0, {1e-12, 1e-12},
                "action and reaction");
@@ -157,7 +157,7 @@ void action_and_reaction(Recorder& out) {
                {1e-12, 1e-5}, "action and reaction");
 }
 
-/// A mantle that gyrates a million times returns to its first position.
+/// A mantle that gyrates a million times returns to its initial position.
 void million_gyrations(Recorder& out) {
   const GyrationMotion motion{0.0217, 4.2, 0.05};
   const double tilt = std::asin(motion.eccentricity / motion.pivot_height), speed = 16.8, dt = 1e-6;
@@ -167,7 +167,7 @@ void million_gyrations(Recorder& out) {
   Stage stage(scene, out.precision());
   const double out_of_axis = std::sqrt(0.5), z = 0.7, r = 0.9 - 0.4 * z / 1.5 + 0.045;
   stage.insert({held_sphere(0, {r * out_of_axis, r * out_of_axis, z}, 0.05)});
-  // The spin cancels the rotation by the cone of the axis, so that each gyration ends where it began.
+  // The spin cancels the rotation by the conical motion of the axis, so that each gyration ends where it began.
   const auto path = [&](double cycles) {
     const double angle = 2 * pi * cycles;
     return MantlePath{angle, speed, -angle * (1 - std::cos(tilt)), -speed * (1 - std::cos(tilt))};

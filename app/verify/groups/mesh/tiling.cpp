@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes of curved walls against the surface itself (M10).
+// Meshes of curved walls against the exact surface (M10).
 #include "app/verify/fixtures/held_sphere.hpp"
 #include "app/verify/fixtures/hertz.hpp"
 #include "app/verify/fixtures/scenes.hpp"
@@ -21,7 +21,7 @@ using std::numbers::pi;
 constexpr double radius = 0.05;
 const Material rock = soft_rock();
 
-/// A cone that opens upwards, in `levels` pieces, with rock inside.
+/// The profile of a cone that opens upwards, divided into `levels` pieces; the rock is inside.
 ProfileShape cone(int levels) {
   ProfileShape shape;
   for (int k = 0; k <= levels; ++k) shape.points.push_back({1 + 0.5 * k / levels, 1.2 * k / levels});
@@ -41,7 +41,7 @@ std::vector<NewRock> spheres() {
   return all;
 }
 
-/// Sum over the spheres of the force towards the axis and upwards [N].
+/// Forces towards the axis and upwards, summed over the spheres [N].
 struct Push {
   double inward = 0, up = 0;
 };
