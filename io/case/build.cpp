@@ -34,7 +34,7 @@ std::vector<Material> materials_of(const Setting& section) {
   return materials;
 }
 
-/// Place of a word in a list `a|b`, which is in the order of an enum.
+/// Position of a word in a list `a|b`, whose words are in the order of an enum.
 int place_in(const char* words, const std::string& word) {
   const std::vector<std::string_view> all = split(words, '|');
   return static_cast<int>(std::find(all.begin(), all.end(), word) - all.begin());
@@ -65,7 +65,7 @@ StrengthScatter scatter_of(const Setting& section) {
   return TruncatedNormal{section.number("mean"), section.number("deviation"), range[0], range[1]};
 }
 
-/// Fills a number of the bond law from the key of the same name, if the section has it.
+/// Fills a number of the bond law from the key with the same name, if the section has this key.
 struct ReadBondNumber {
   const Setting& section;
 
@@ -74,8 +74,8 @@ struct ReadBondNumber {
   }
 };
 
-/// With a modulus k_n = modulus/L0 and k_s = k_n/stiffness_ratio, so that a rock is equally stiff whatever the size of
-/// its particles.
+/// With a modulus, k_n = modulus/L0 and k_s = k_n/stiffness_ratio, so that the stiffness of a rock does not depend on
+/// the size of its particles.
 BondParameters bond_parameters_of(const Setting& section) {
   BondParameters parameters;
   BondParameters::for_each_field(ReadBondNumber{section}, parameters);

@@ -23,7 +23,7 @@
 
 namespace gyro {
 
-/// `case`: what the run is called and the key of all its random numbers.
+/// `case`: the title of the run and the seed of all its random numbers.
 struct CaseIdentity {
   std::string title;
   std::uint64_t seed = 1;
@@ -32,13 +32,13 @@ struct CaseIdentity {
 /// `time`.
 struct CaseTime {
   double duration = 0;         ///< simulated [s]
-  std::optional<double> step;  ///< [s]; none: safety x damped limit
-  double safety = 0.7;         ///< step / damped limit when the step is chosen by the program [-]
+  std::optional<double> step;  ///< [s]; none: safety x stability limit with damping
+  double safety = 0.7;         ///< largest step / stability limit with damping [-]
 };
 
-/// One line of `contacts`: surface properties of two materials.
+/// One entry of `contacts`: the surface properties of two materials.
 struct CaseContact {
-  Index first = 0, second = 0;  ///< in Case::materials
+  Index first = 0, second = 0;  ///< indices in Case::materials
   PairProperties properties;
 };
 
@@ -47,39 +47,39 @@ struct CaseBonds {
   BondRule rule;
   BondParameters parameters;
   BondModel model;
-  std::optional<StrengthScatter> scatter;  ///< none: all bonds are equally strong
+  std::optional<StrengthScatter> scatter;  ///< none: all bonds have the strength factor 1
 };
 
 /// `rocks`: the library of meta-particles.
 struct CaseRocks {
   ShapeSource shapes;  ///< paths are absolute
   SizeLaw sizes;
-  int samples = 24;  ///< rocks in the library
+  int samples = 24;  ///< number of rocks in the library
   FillRule fill;
-  bool density_compensated = true;  ///< particles are denser than rock, so that the rock's mass is right
+  bool density_compensated = true;  ///< particles are denser than rock, so that a rock has the mass of solid rock
 };
 
-/// `feed`. Three forms: a continuous feed (initial, rate), a batch (mass) and rocks that are placed
-/// (rocks, at).
+/// `feed`, in one of three forms: a continuous feed (initial, rate), a batch (mass), or rocks placed at a point (rocks,
+/// at).
 struct CaseFeed {
   double initial = 0;                 ///< mass in the chamber at t = 0 [kg]
   std::optional<double> initial_top;  ///< the initial charge lies below this height [m]
   double rate = 0;                    ///< [kg/s]
-  double start = 0;                   ///< when the rate sets in or the batch is dropped [s]
+  double start = 0;                   ///< time at which the feed starts or the batch is dropped [s]
   std::optional<double> mass;         ///< of the batch [kg]
-  int rocks = 0;                      ///< number of rocks placed, in the library's order
-  Vec3d at{0, 0, 0};                  ///< centre of mass of the first; the others are stacked above it [m]
-  Index above = none;                 ///< wall above which rocks appear, in Case::walls
+  int rocks = 0;                      ///< number of rocks placed, in the order of the library
+  Vec3d at{0, 0, 0};                  ///< centre of mass of the first rock; the others are stacked above it [m]
+  Index above = none;                 ///< wall above which rocks appear, index in Case::walls
 };
 
-/// Shape from an STL or OBJ file, absolute path.
+/// Shape from an STL or OBJ file; the path is absolute.
 struct MeshFile {
   std::filesystem::path path;
   MeshFrame frame = {};
 };
 /// Shape of revolution from `crusher.profile`.
 struct ProfileLiner {
-  bool mantle = false;  ///< otherwise the concave
+  bool mantle = false;  ///< false: the concave
 };
 
 /// One entry of `walls`.
@@ -87,13 +87,13 @@ struct CaseWall {
   std::string name;
   std::variant<PlaneShape, MeshFile, ProfileLiner> shape;
   std::variant<Fixed, LinearMotion, RotationMotion, CircularMotion, GyrationMotion> motion;
-  Index material = 0;  ///< in Case::materials
+  Index material = 0;  ///< index in Case::materials
 };
 
 /// `crusher`.
 struct CaseCrusher {
   std::filesystem::path profile;                                       ///< absolute; empty: the liners are meshes
-  std::vector<LinerRow> liners;                                        ///< rows of the profile, z rising
+  std::vector<LinerRow> liners;                                        ///< rows of the profile, by increasing z
   double closed_side_setting = 0, eccentricity = 0, pivot_height = 0;  ///< [m]
   std::optional<double> removal_depth;  ///< below the discharge plane [m]; none: chosen by the program
 };
@@ -105,7 +105,7 @@ inline double open_side_setting(const CaseCrusher& crusher) {
 
 /// `drivetrain` with an FMU.
 struct CaseFmu : DriveFmu {
-  double bushing_depth = 0;   ///< below the pivot; 0: it takes no forces of bearings [m]
+  double bushing_depth = 0;  ///< depth of the bushings below the pivot; 0: the FMU has no inputs for bearing forces [m]
   double residual_limit = 0;  ///< see DrivetrainParameters
 };
 
@@ -115,31 +115,31 @@ struct CaseNumerics {
   int substeps = 1;
 };
 
-/// `laboratory`: what a run measures on one rock between two platens.
+/// `laboratory`: a test of one rock between two platens.
 struct CaseLaboratory {
   enum class Test { platen, brazilian, uniaxial };
   Test test = Test::platen;
-  Index fixed = none, moving = none;  ///< planes, in Case::walls
+  Index fixed = none, moving = none;  ///< planes, indices in Case::walls
 };
 
-/// A row of `particles.file`.
+/// A row of `particles.file`, in SI units.
 struct StartParticle {
   std::uint32_t id;
   Vec3d position, velocity, angular_velocity;
   double radius;
-  RockId rock;  ///< as given, otherwise numbered by what the bonds hold together
+  RockId rock;  ///< as given; without a column `rock`, the number of the set of particles that bonds hold together
 };
 
-/// A row of `particles.bonds`; i and j are rows of the particle table, i < j.
+/// A row of `particles.bonds`; i < j are indices in CaseParticles::particles.
 struct StartBond {
   Index i, j;
-  double length;  ///< L0 [m]; the distance at the start where the file gives none
+  double length;  ///< L0 [m]; the distance at the start if the file does not give it
 };
 
 /// `particles`: the start state.
 struct CaseParticles {
-  std::filesystem::path file, bonds_file;  ///< absolute; bonds_file may be empty
-  std::vector<StartParticle> particles;    ///< by rising id
+  std::filesystem::path file, bonds_file;  ///< absolute; bonds_file is empty if there is none
+  std::vector<StartParticle> particles;    ///< by increasing id
   std::vector<StartBond> bonds;
 };
 
@@ -157,11 +157,11 @@ struct CaseOutput {
   double checkpoints = 300;  ///< wall-clock time between checkpoints [s]; 0: only at the end
   bool vtp = true, hdf5 = false;
   std::optional<CaseLinerMaps> liners;
-  std::vector<std::uint32_t> probes = {};  ///< ids of particles that the series follows
+  std::vector<std::uint32_t> probes = {};  ///< ids of particles whose motion the series records
   std::vector<double> sieves = {};  ///< openings for product and hold-up, increasing [m]; empty: the default series
 };
 
-/// A checked case in SI units. A key that the file leaves out has its documented default or is absent.
+/// A checked case in SI units. A key that the file leaves out has its documented default, or its member is empty.
 struct Case {
   std::filesystem::path file;  ///< the case file, absolute
   CaseIdentity identity;
@@ -183,49 +183,51 @@ struct Case {
   std::optional<CaseLaboratory> laboratory;
   CaseOutput output;
   std::string resolved;  ///< see resolved_yaml()
-  std::string inputs;    ///< one line a file that it names: digest of the content, path
+  std::string inputs;    ///< one line for each file that the case names: digest of its content, path
 };
 
-/// Something wrong with the input, and where.
+/// A problem of the input, and its place.
 struct CaseProblem {
   std::string file;  ///< as the user named it; `--set` for an override
-  int line = 1;      ///< from 1; for an override which --set it is
+  int line = 1;      ///< from 1; for an override the number of the --set
   int column = 1;    ///< from 1
   std::string message;
 };
 
-/// A case, or every problem found in its file.
+/// A case, or all problems found in its files.
 struct CaseReport {
   std::optional<Case> loaded;
   std::vector<CaseProblem> problems;
 };
 
-/// Reads and checks a case file and the tables it names. Bad input never throws.
-/// @param overrides  `key.path=value` each, applied to the file's tree in order; the value is YAML,
-///                   `null` leaves the key out
+/// Reads and checks a case file and the tables that it names. Bad input becomes a problem and is never thrown.
+/// @param overrides  each is `key.path=value`; they are applied in order to the file's tree. The value is YAML; `null`
+///                   removes the key
 CaseReport load_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// FILE:LINE:COLUMN: problem; what to do
 std::string to_string(const CaseProblem& problem);
 
-/// A problem that showed only after loading, at the place of the key to blame: where the file or the last
-/// override gives it, else where the closest section above it begins.
+/// A problem that was found only after loading, with the place of the key that caused it: where the file or the last
+/// override gives the key, or else where the closest section above it begins.
 CaseProblem problem_at(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        const std::string& key, std::string message);
 
-/// The case with every default written out: plain SI numbers, absolute paths. Reads back to the same case.
+/// The case with every default written out, with plain SI numbers and absolute paths. Loading it gives the same case.
 std::string resolved_yaml(const Case& checked);
 
 /// A key with different values in two cases.
 struct CaseDifference {
   std::string key;
-  std::string value, other;  ///< "not there" where a case leaves it out
+  std::string value, other;  ///< in the two cases; "absent" where a case leaves it out
 };
 
-/// Where two resolved cases differ in other keys than time.duration and `output`, which a continued run may change.
+/// The first key in which two resolved cases differ. Keys that a continued run may change are not compared:
+/// time.duration, output.series, output.snapshots and output.checkpoints.
 std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other);
 
-/// Square table materials x materials for Scene::pairs. Pairs that cannot touch keep PairProperties' defaults.
+/// Square table materials x materials for Scene::pairs. Pairs without an entry in `contacts` keep the defaults of
+/// PairProperties.
 std::vector<PairProperties> pair_table(const Case& checked);
 
 }  // namespace gyro

@@ -8,7 +8,7 @@
 namespace gyro {
 namespace {
 
-/// Names of the settings of a section, for "a, b or c".
+/// Names of the settings of a section.
 std::vector<std::string_view> names_in(const Setting* section) {
   std::vector<std::string_view> names;
   if (section != nullptr)
@@ -16,7 +16,7 @@ std::vector<std::string_view> names_in(const Setting* section) {
   return names;
 }
 
-/// Looks up a name that the user gave; reports a name that does not exist.
+/// Whether a name that the user gave exists in a section; reports a problem if it does not.
 bool expect_name(const Setting* section, const std::string& name, const std::string& what, Mark mark,
                  CaseProblems& log) {
   const std::vector<std::string_view> names = names_in(section);
@@ -28,12 +28,12 @@ bool expect_name(const Setting* section, const std::string& name, const std::str
   return false;
 }
 
-/// A rolling law that a pair names needs a rolling friction, else it would do nothing.
+/// A pair that names a rolling law needs rolling friction: without it the law would have no effect.
 void check_rolling(const Setting& pair, CaseProblems& log) {
   const Setting *law = pair.find("rolling"), *friction = pair.find("rolling_friction");
   if (law == nullptr || !law->given || law->texts[0] == "constant") return;
   if (friction == nullptr || friction->numbers[0] > 0) return;
-  log.add(law->mark, "rolling: " + law->texts[0] + " does nothing without friction; give rolling_friction above 0");
+  log.add(law->mark, "rolling: " + law->texts[0] + " has no effect without friction; give rolling_friction above 0");
 }
 
 /// Pairs that can touch must have surface properties; each pair is given once.
@@ -60,7 +60,7 @@ void check_contacts(const Setting& root, CaseProblems& log) {
     given.push_back(pair);
     check_rolling(contact, log);
   }
-  // A misspelt pair is probably the one that seems to be missing; without particles nothing can touch.
+  // A misspelt pair is probably the one that seems to be missing. Without particles there are no contacts.
   if (!all_known || (root.find("feed") == nullptr && root.find("particles") == nullptr)) return;
   std::vector<std::string> partners = {"rock"};
   if (const Setting* walls = root.find("walls"))
@@ -73,7 +73,7 @@ void check_contacts(const Setting& root, CaseProblems& log) {
     if (materials->find(partner) != nullptr && std::find(given.begin(), given.end(), pair) == given.end())
       log.add(
           contacts != nullptr ? contacts->mark : root.mark,
-          "contacts lacks \"rock/" + partner + "\", which can touch; add the pair with its friction and restitution");
+          "contacts lacks \"rock/" + partner + "\", a pair that can touch; add it with its friction and restitution");
   }
 }
 
@@ -85,7 +85,8 @@ bool is_wall_material(const Setting& root, const std::string& material) {
          });
 }
 
-/// Rock meets all walls under one contact law. The rolling law of a pair without rolling friction does not matter.
+/// All pairs of rock and a wall must have the same contact law. The rolling law of a pair without rolling friction does
+/// not matter.
 void check_wall_laws(const Setting& root, CaseProblems& log) {
   const Setting* contacts = root.find("contacts");
   if (contacts == nullptr) return;
@@ -94,7 +95,7 @@ void check_wall_laws(const Setting& root, CaseProblems& log) {
     if (law == nullptr) return;
     if (first == nullptr) first = law;
     if (first->texts[0] != law->texts[0])
-      log.add(law->mark, "rock meets another wall with " + law->name + ": " + first->texts[0] +
+      log.add(law->mark, "another pair of rock and a wall has " + law->name + ": " + first->texts[0] +
                              "; give all pairs of rock and a wall the same law");
   };
   for (const Setting& pair : contacts->children) {
@@ -174,7 +175,7 @@ void check_machine(const Setting& root, CaseProblems& log) {
     const Setting* arm = crusher->find("eccentricity");
     const Setting* pivot = crusher->find("pivot_height");
     if (arm != nullptr && pivot != nullptr && arm->numbers[0] >= pivot->numbers[0])
-      log.add(arm->mark, "eccentricity is not smaller than pivot_height; it must be a fraction of it");
+      log.add(arm->mark, "eccentricity is not smaller than pivot_height; give a smaller eccentricity");
   }
   const Setting* drive = root.find("drivetrain");
   if (drive == nullptr) return;
@@ -278,12 +279,13 @@ void check_rocks(const Setting& root, CaseProblems& log) {
   const Setting* scatter = root.find("bonds.strength_scatter");
   const Setting* mean = scatter == nullptr ? nullptr : scatter->find("mean");
   const Setting* range = scatter == nullptr ? nullptr : scatter->find("range");
-  const double middle = mean == nullptr ? 1 : mean->numbers[0];  // of the paper's literal scatter
+  const double middle = mean == nullptr ? 1 : mean->numbers[0];  // paper_literal has the mean 1 and no key for it
   if (range != nullptr && scatter->lost.empty() && (middle < range->numbers[0] || middle > range->numbers[1]))
     log.add(range->mark, "the mean of strength_scatter is not inside the range; give a range that contains it");
 }
 
-/// One bonded rock, two planes, one of which moves along a line, and a cylinder where the test needs one.
+/// Checks that a laboratory test has bonds, two planes of which one moves along a line, and a cylinder if the test
+/// needs one.
 void check_laboratory(const Setting& root, CaseProblems& log) {
   const Setting* laboratory = root.find("laboratory");
   if (laboratory == nullptr) return;

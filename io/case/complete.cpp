@@ -14,7 +14,7 @@ Setting* find_child(Setting& section, std::string_view name) {
   return nullptr;
 }
 
-/// Adds a setting to a section, in the order of the table.
+/// Adds a setting to a section, at its place in the order of the table of keys.
 Setting& add_child(Setting& section, const Key& key, const std::string& name, Mark mark) {
   Setting made{.key = &key, .name = name, .mark = mark};
   auto at = section.children.end();
@@ -51,7 +51,7 @@ void resolve_paths(Setting& setting, const fs::path& folder, CaseProblems& probl
   }
 }
 
-/// The liners of a profile are walls even if the case does not name them.
+/// Adds the liners of a profile as walls if the case does not name them.
 void add_liners(Setting& root, const Setting& profile) {
   Setting* walls = find_child(root, "walls");
   if (walls == nullptr) walls = &add_child(root, *find_key("walls"), "walls", profile.mark);
@@ -80,7 +80,7 @@ void complete_settings(Setting& root, const fs::path& case_file, CaseProblems& p
   if (Setting* identity = find_child(root, "case"); identity != nullptr && find_child(*identity, "title") == nullptr)
     add_text(*identity, "case.title", absolute.stem().string(), identity->mark);
 
-  // A copy: adding walls moves the settings of the root.
+  // A copy, because adding walls moves the settings of the root in memory.
   const Setting* found = root.find("crusher.profile");
   const std::optional<Setting> profile = found == nullptr ? std::nullopt : std::optional<Setting>(*found);
   if (profile) add_liners(root, *profile);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t max_problems = 20;
 
-/// A cell without quotes and the blanks around it, and the column of the file where it begins.
+/// The text of a cell without quotes and surrounding blanks, and the column of the file where it begins.
 struct Cell {
   std::string text;
   int column;
@@ -48,7 +48,7 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Takes the next line off a text; it ends with \n, \r\n or \r.
+/// Removes the next line from a text. @return the line, without its end: \n, \r\n or \r
 std::string_view next_line(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, end);
@@ -57,7 +57,7 @@ std::string_view next_line(std::string_view& text) {
   return line;
 }
 
-/// Whether the comma of a number may stand between thousands: "1,500", but not "0,500", "1,50" or "1500,125".
+/// Whether the comma of a number may be a thousands separator: in "1,500", but not in "0,500", "1,50" or "1500,125".
 bool may_be_thousands(std::string_view number) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   if (number.starts_with('+') || number.starts_with('-')) number.remove_prefix(1);
@@ -66,7 +66,7 @@ bool may_be_thousands(std::string_view number) {
   return std::ranges::all_of(number.substr(0, comma), digit) && std::ranges::all_of(number.substr(comma + 1), digit);
 }
 
-/// How spreadsheets divide cells: by semicolons where the decimal sign is a comma.
+/// The separator of the cells. Spreadsheets use semicolons where the decimal sign is a comma.
 char separator_of(std::string_view header) {
   for (const char separator : {';', '\t'})
     if (header.find(separator) != std::string_view::npos) return separator;
@@ -81,7 +81,7 @@ class CsvReader {
   CsvTable read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     if (text.substr(0, 200).find('\0') != std::string_view::npos) {
-      problem(1, 1, "is no text in UTF-8; export the table as CSV in UTF-8");
+      problem(1, 1, "is not a text in UTF-8; export the table as CSV in UTF-8");
       return std::move(table_);
     }
     for (int number = 1; !text.empty() && !mixed_; ++number) {
@@ -104,7 +104,8 @@ class CsvReader {
   void problem(int line, int column, std::string message) {
     if (table_.problems.size() < max_problems) table_.problems.push_back({line, column, std::move(message)});
   }
-  /// Adds a problem that may have the same cause in many rows; it is told where it is first.
+  /// Adds a problem that may have the same cause in many rows. Only its first place is reported; further rows are
+  /// counted.
   void row_problem(const std::string& cause, int line, int column, std::string message) {
     if (const auto known = more_.find(cause); known != more_.end()) {
       ++known->second.rows;
@@ -113,12 +114,12 @@ class CsvReader {
       problem(line, column, std::move(message));
     }
   }
-  /// Tells of cells such as "1,500" in a file that does not show what its commas are.
+  /// Reports cells such as "1,500" in a file in which no other cell shows what its commas mean.
   void refuse_thousands() {
     for (const auto& [line, cell] : unclear_)
       row_problem("thousands", line, cell.column,
                   "\"" + cell.text.substr(0, 40) +
-                      "\" may be thousands or a decimal comma; write thousands without a sign between them, and "
+                      "\" has a comma that may mean thousands or decimals; write thousands without a separator, and "
                       "decimals with a point");
   }
   void finish_problems() {
@@ -179,7 +180,7 @@ class CsvReader {
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
       row_problem("value " + std::to_string(column), line, cell.column,
                   "\"" + cell.text.substr(0, 40) + "\" is not a value of " + table_.header[column] +
-                      "; give a finite number" + (commas + points > 1 ? ", without signs between the thousands" : ""));
+                      "; give a finite number" + (commas + points > 1 ? ", without thousands separators" : ""));
       return value;
     }
     if (commas > 0 || points > 0) expect_same_sign(commas > 0, cell, line);
@@ -190,15 +191,15 @@ class CsvReader {
     }
     return value;
   }
-  /// One file has one decimal sign; with both, 1,500 could be 1500.
+  /// Reports a file that has both decimal points and decimal commas: in it, 1,500 could be 1500.
   void expect_same_sign(bool comma, const Cell& cell, int line) {
     if (sign_ == 0) sign_ = comma ? ',' : '.';
     if ((sign_ == ',') == comma) return;
     mixed_ = true;
     problem(line, cell.column,
             "\"" + cell.text.substr(0, 40) +
-                "\" has another decimal sign than the cells before; use points or commas, " +
-                "and no signs between the thousands");
+                "\" has a different decimal sign from the cells before; use either points or commas, " +
+                "and no thousands separators");
   }
 
   struct Again {
@@ -210,7 +211,7 @@ class CsvReader {
   std::map<std::string, Again> more_;  ///< by cause
   char separator_ = ',', sign_ = 0;
   bool mixed_ = false;
-  bool decimal_commas_ = false;                ///< a cell has a comma that can be nothing else
+  bool decimal_commas_ = false;                ///< a cell has a comma that can only be a decimal sign
   std::vector<std::pair<int, Cell>> unclear_;  ///< lines and cells such as "1,500"
 };
 

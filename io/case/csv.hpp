@@ -8,7 +8,7 @@
 
 namespace gyro {
 
-/// Something wrong in a table, at a line and column of its file, from 1.
+/// A problem of a table, at a line and column of its file, both from 1.
 struct CsvProblem {
   int line = 1, column = 1;
   std::string message;
@@ -18,19 +18,20 @@ struct CsvProblem {
 struct CsvTable {
   std::vector<std::string> header;
   std::vector<std::vector<double>> rows;
-  std::vector<int> lines;            ///< line of the file that each row stands in
+  std::vector<int> lines;            ///< for each row, its line in the file
   std::vector<CsvProblem> problems;  ///< at most 20; use the table only if there are none
 
   /// Column of a name; -1 if the table has none.
   int column(std::string_view name) const;
 };
 
-/// Reads a table as spreadsheets write it: cells between commas, semicolons or tabs, as the header has them; quotes;
-/// decimal points, or decimal commas where they cannot be mistaken; a byte-order mark; any line ends. "1,500" is
-/// refused unless another cell, such as 2,5 or 0,125, shows that the commas of the file are decimal. Lines that begin
-/// with #, empty rows and empty columns behind the last are skipped. A cause that many rows share is one problem.
-/// @param header  columns that must be there, in this order
-/// @param groups  columns that may follow, in this order, each group whole or not at all
+/// Reads a table in the forms in which spreadsheets write it. The header decides whether commas, semicolons or tabs
+/// separate the cells. Quotes, decimal points, a byte-order mark and any line ends are read; decimal commas are read if
+/// they are unambiguous: "1,500" is refused unless another cell, such as 2,5 or 0,125, shows that the commas of the
+/// file are decimal. Lines that begin with #, empty rows and empty columns after the last are skipped. A cause that
+/// many rows share is reported as one problem.
+/// @param header  required columns, in this order
+/// @param groups  optional columns that may follow in this order; each group must be complete or absent
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& header,
                   const std::vector<std::vector<std::string>>& groups = {});
 

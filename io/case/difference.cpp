@@ -8,7 +8,7 @@
 #include <map>
 #include <string_view>
 
-// Whether a run may continue with a case: the case of its checkpoint against the case asked for now.
+// Whether a run may continue with a case: compares the case of its checkpoint with the case that is given now.
 
 namespace gyro {
 namespace {
@@ -30,7 +30,7 @@ void flatten(const YamlNode& node, const std::string& path, std::map<std::string
     flatten(entry.value, path.empty() ? entry.key : path + "." + entry.key, values);
 }
 
-/// Keys that may change when a run continues. Others under `output` decide which columns the results have.
+/// Keys that may change when a run continues. The other keys of `output` decide which columns the results have.
 constexpr std::array<std::string_view, 4> free_keys{"time.duration", "output.series", "output.snapshots",
                                                     "output.checkpoints"};
 
@@ -47,7 +47,7 @@ std::optional<CaseDifference> difference(const std::string& resolved, const std:
   const std::map<std::string, std::string> a = values_of(resolved), b = values_of(other);
   const auto value = [](const auto& values, const std::string& key) {
     const auto found = values.find(key);
-    return found != values.end() ? found->second : "not there";
+    return found != values.end() ? found->second : "absent";
   };
   for (const auto* values : {&a, &b})
     for (const auto& [key, text] : *values)

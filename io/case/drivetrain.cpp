@@ -15,8 +15,9 @@ NemaDesign design_of(const std::string& letter) {
   return static_cast<NemaDesign>(letter.at(0) - 'A');
 }
 
-/// Parameters that are numbers have a key of their own name; the points of a curve come from its table.
-/// @throws BadInput for a name plate that no motor has
+/// The motor of a section. Each parameter that is a number has a key of the same name; the points of a curve come from
+/// its table.
+/// @throws BadInput for a name plate that no motor can have
 Motor motor_of(const Setting& section, const CaseTables& tables) {
   const std::string& model = section.text("model");
   if (model == "nema")

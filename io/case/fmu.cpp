@@ -7,7 +7,7 @@
 namespace gyro {
 namespace {
 
-/// Does `work`; a BadInput that it throws becomes a problem at this place.
+/// Runs `work`; a BadInput that it throws becomes a problem at this place.
 template <class Work>
 void at(const Mark& mark, CaseProblems& problems, Work&& work) {
   try {
@@ -52,7 +52,7 @@ void read_drive_fmu(const Setting& root, CaseTables& tables, CaseProblems& probl
     if (const Setting* depth = drive.find("bushing_depth")) fmu.bushing_depth = depth->numbers.at(0);
     const bool forces = linked(fmu.links, FmuQuantity::bushing_force) || linked(fmu.links, FmuQuantity::spider_force);
     if (forces && drive.lacks("bushing_depth"))
-      throw BadInput("the FMU takes the forces on bushings and spider; add the key bushing_depth");
+      throw BadInput("the FMU has an input for the force on bushings or spider; add the key bushing_depth");
     const Setting* limit = root.find("coupling.residual_limit");
     if (!fmu.variable_step && knowledge_of(fmu.links).accounts && limit != nullptr && limit->numbers.at(0) > 0)
       throw BadInput(

@@ -10,10 +10,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_file = 16 << 20;  // a case is some kB; this only keeps a wrong file out of memory
+constexpr std::size_t largest_file = 16 << 20;  // [bytes]; a case has some kB: this keeps a wrong file out of memory
 constexpr std::string_view override_label = "--set";
 
-/// Text of the case file, or a problem.
+/// Text of the case file; empty, with a problem, if it cannot be read.
 std::string read_text(const fs::path& file, CaseProblems& problems) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -26,7 +26,7 @@ std::string read_text(const fs::path& file, CaseProblems& problems) {
   }
 }
 
-/// Sets a value at a path; maps on the way are made where they are missing.
+/// Sets a value at a path; missing maps on the way are created.
 void put(YamlNode& root, const std::vector<std::string_view>& path, const Mark& mark, YamlNode value) {
   YamlNode* node = &root;
   for (const std::string_view part : path) {
@@ -73,7 +73,7 @@ void apply_overrides(YamlNode& root, const std::vector<std::string>& overrides, 
     const std::vector<std::string_view> path = split(text.substr(0, equals), '.');
     const bool empty_part = std::find(path.begin(), path.end(), std::string_view{}) != path.end();
     if (equals == std::string_view::npos || path.empty() || empty_part || equals + 1 == text.size()) {
-      problems.add(begin, '"' + overrides[k] + "\" sets nothing; write key.path=value");
+      problems.add(begin, '"' + overrides[k] + "\" is not an override; write key.path=value");
       continue;
     }
     const YamlDocument value = parse_yaml(text.substr(equals + 1), {number, number, static_cast<int>(equals) + 2});
@@ -89,7 +89,7 @@ CaseReport load_case(const fs::path& file, const std::vector<std::string>& overr
   if (problems.empty()) {
     YamlDocument document = parse_yaml(text);
     for (const MarkedProblem& problem : document.problems) problems.add(problem.mark, problem.message);
-    // In a document that is not a map or is incomplete, further checks would report problems that do not exist.
+    // In a document that is incomplete or not a map, further checks would report problems that do not exist.
     const bool whole = document.root.kind == YamlNode::Kind::map;
     if (whole) apply_overrides(document.root, overrides, problems);
     std::vector<MarkedProblem> marked;

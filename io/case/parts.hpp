@@ -4,12 +4,13 @@
 #include "io/case/case.hpp"
 #include "io/schema/schema.hpp"
 
-// The steps of load_case(), in their order: complete_settings, read_tables, check_settings, and
-// build_case when nothing was wrong.
+// The steps of load_case(), in their order: complete_settings, read_tables, check_settings, and build_case if no
+// problem was found.
 
 namespace gyro {
 
-/// Collects problems and sorts them: those of the case file, of the tables it names, of overrides.
+/// Collects problems and sorts them: first those of the case file, then those of the tables that it names, then those
+/// of overrides.
 class CaseProblems {
  public:
   explicit CaseProblems(std::string case_file) : case_file_(std::move(case_file)) {}
@@ -23,7 +24,7 @@ class CaseProblems {
   std::vector<CaseProblem> problems_;
 };
 
-/// The tables that a case names. What could not be read stays empty.
+/// The tables that a case names. A table that could not be read is empty.
 struct CaseTables {
   std::vector<LinerRow> liners;
   std::vector<PassingPoint> sieves;
@@ -34,33 +35,34 @@ struct CaseTables {
   std::vector<StartBond> bonds;
 };
 
-/// Puts overrides `key.path=value` into a document's tree, in their order.
+/// Applies overrides `key.path=value` to a document's tree, in their order.
 void apply_overrides(YamlNode& root, const std::vector<std::string>& overrides, CaseProblems& problems);
 
-/// Makes paths absolute, says which files are missing, and fills in the defaults that depend on
-/// other keys: the title, the walls of a profile, motions, feed.above.
+/// Makes paths absolute, reports missing files, and fills in the defaults that depend on other keys: the title, the
+/// walls of a profile, motions, rocks.fill.exponent, feed.above.
 void complete_settings(Setting& root, const std::filesystem::path& case_file, CaseProblems& problems);
 
-/// Reads profile, sieves, motor curve, particles and bonds, and checks each table by itself.
+/// Reads profile, sieves, motor curve, voltage, FMU, particles and bonds, and checks each of them by itself.
 CaseTables read_tables(const Setting& root, CaseProblems& problems);
 
-/// The start state of `particles`.
+/// Reads the start state of `particles`.
 void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems& problems);
 
-/// `drivetrain.fmu`, which is there: its description, and the variables and parameters that the case names.
+/// Reads the existing file of `drivetrain.fmu`: its description, and the variables and parameters that the case names.
 void read_drive_fmu(const Setting& root, CaseTables& tables, CaseProblems& problems);
 
-/// Checks what concerns more than one key. Keys with problems of their own may be missing.
+/// Checks the conditions between keys. Keys that have already been reported may be missing.
 void check_settings(const Setting& root, CaseProblems& problems);
 
-/// The part of build_case() that is `drivetrain`.
-/// @throws BadInput for a name plate that no motor has
+/// The part of build_case() for `drivetrain`.
+/// @throws BadInput for a name plate that no motor can have
 DrivetrainParameters build_drivetrain(const Setting& section, const CaseTables& tables, const CaseCrusher& crusher);
 
-/// One line a file that the settings name: digest of its content, path. Files that cannot be read are problems.
+/// One line for each file that the settings name: digest of its content, path. Files that cannot be read become
+/// problems.
 std::string input_digests(const Setting& setting, CaseProblems& problems);
 
-/// The case of settings without problems.
+/// Builds the case from settings without problems.
 Case build_case(const Setting& root, const CaseTables& tables);
 
 }  // namespace gyro

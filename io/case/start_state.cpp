@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double largest_id = 2147483647.0;    // half of what 32 bits hold: the feed numbers on from here
-constexpr double largest_rock = 2147483647.0;  // RockId too, with a sign
+constexpr double largest_id = 2147483647.0;    // half of the 32-bit range: the feed uses ids above the largest one
+constexpr double largest_rock = 2147483647.0;  // of RockId, a signed 32-bit number
 
 bool is_whole(double x, double largest) {
   return x == std::floor(x) && x >= 0 && x <= largest;
@@ -52,7 +52,7 @@ std::vector<ReadParticle> rows_of(const fs::path& file, const CsvTable& table, C
   return read;
 }
 
-/// Row of the particle with an id, none if there is no such particle.
+/// Index of the particle with an id; `none` if there is no such particle.
 Index row_of(const std::vector<StartParticle>& particles, double id) {
   const auto found = std::lower_bound(particles.begin(), particles.end(), id,
                                       [](const StartParticle& p, double x) { return p.id < x; });
@@ -77,7 +77,7 @@ void read_bonds(const fs::path& file, bool rocks_given, CaseTables& tables, Case
     }
     const double length = row.size() > 2 ? row[2] : norm(at(i).position - at(j).position);
     if (i == j) bad("a particle cannot be bonded to itself; give two different ids");
-    if (i != j && !(length > 0)) bad("the bond has no length; it must be > 0");
+    if (i != j && !(length > 0)) bad("the length of the bond is not positive; it must be > 0");
     if (rocks_given && at(i).rock != at(j).rock) bad("a bond cannot join two rocks; give ids of one rock");
     read.push_back({{std::min(i, j), std::max(i, j), length}, table.lines[k]});
   }
@@ -90,7 +90,7 @@ void read_bonds(const fs::path& file, bool rocks_given, CaseTables& tables, Case
   }
 }
 
-/// Numbers the sets of particles that bonds hold together, in order of their first particle.
+/// Gives each set of particles that bonds hold together a rock number, in the order of their first particles.
 void number_rocks(CaseTables& tables) {
   std::vector<Index> root(tables.particles.size());
   std::iota(root.begin(), root.end(), 0);
@@ -126,7 +126,7 @@ void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems
   std::vector<ReadParticle> read = rows_of(file, table, own);
   const bool numbers_good = own.empty();
   for (const CaseProblem& p : own.sorted()) problems.add_in_file(file, p.line, p.column, p.message);
-  if (!numbers_good) return;  // the ids are not valid
+  if (!numbers_good) return;  // the ids may be invalid
 
   const auto by_id = [](const ReadParticle& a, const ReadParticle& b) { return a.particle.id < b.particle.id; };
   std::stable_sort(read.begin(), read.end(), by_id);

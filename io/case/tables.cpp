@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A table whose rows are checked one by one, with the place for messages.
+/// Checks a table row by row, and reports problems with file and line.
 class TableChecker {
  public:
   TableChecker(const fs::path& file, const CsvTable& table, CaseProblems& problems)
@@ -59,7 +59,7 @@ std::vector<LinerRow> read_liners(const fs::path& file, CaseProblems& problems) 
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const LinerRow row{table.rows[k][0], table.rows[k][1], table.rows[k][2]};
     checker.expect(std::max({std::abs(row.z), row.mantle_radius, row.concave_radius}) <= longest_length, k,
-                   "a length is more than 1 km; the profile is in metres");
+                   "a length is more than 1 km; give the profile in metres");
     checker.expect(row.mantle_radius > 0, k, "the mantle's radius is not positive; it must be > 0");
     checker.expect(row.concave_radius > row.mantle_radius, k,
                    "there is no gap; the concave radius must be larger than the mantle radius");
@@ -85,20 +85,20 @@ std::vector<PassingPoint> read_sieves(const fs::path& file, CaseProblems& proble
   const std::size_t n = table.rows.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double size = table.rows[k][0], percent = table.rows[k][1];
-    checker.expect(size <= 1e3 * longest_length, k, "the size is more than 1 km; sieves are in mm");
+    checker.expect(size <= 1e3 * longest_length, k, "the size is more than 1 km; give the sieves in mm");
     checker.expect(size > 0, k, "the size is not positive; it must be > 0");
     checker.expect(k == 0 || percent >= table.rows[k - 1][1], k, "passing falls; each row must be >= the one before");
     checker.expect(k > 0 || percent == 0, k,
-                   "the finest sieve does not pass 0 percent; what passes it has no size: add a row with the smallest "
-                   "size to simulate and 0 percent");
+                   "the finest sieve does not have 0 percent, so that the smallest size is unknown; add a row with the "
+                   "smallest size to simulate and 0 percent");
     checker.expect(k + 1 < n || percent == 100, k,
-                   "the coarsest sieve does not pass 100 percent; add a row with the largest size and 100 percent");
+                   "the coarsest sieve does not have 100 percent; add a row with the largest size and 100 percent");
     points.push_back({size * 1e-3, percent * 1e-2});
   }
   return points;
 }
 
-/// The motor drives up to its synchronous speed; above it is a generator, if the table goes that far.
+/// Checks that the motor drives up to its synchronous speed and, if the table continues, is a generator above it.
 void check_torques(const std::vector<double>& torques, TableChecker& checker) {
   const std::size_t n = torques.size();
   checker.expect(torques[n - 1] <= 0, n - 1, "the motor still drives at its last speed; the last torque must be <= 0");
@@ -154,7 +154,7 @@ VoltageInput read_voltage(const fs::path& file, CaseProblems& problems) {
   return voltage;
 }
 
-/// Checks the ids of probes; without a feed the table contains every particle of the run.
+/// Checks the ids of probes of a case without a feed: its table contains every particle of the run.
 void check_probes(const Setting& root, const CaseTables& tables, CaseProblems& problems) {
   const Setting* probes = root.find("output.probes");
   if (probes == nullptr || root.find("feed") != nullptr || tables.particles.empty()) return;

@@ -20,7 +20,7 @@ std::vector<std::string> expectations(const fs::path& file) {
   return wanted;
 }
 
-/// FILE:LINE:COLUMN: message with the file's name alone, without it for the case itself.
+/// FILE:LINE:COLUMN: message, with the name of the file only; without FILE: for the case itself.
 std::string short_text(const gyro::CaseProblem& problem, const fs::path& file) {
   const fs::path name = fs::path(problem.file).filename();
   gyro::CaseProblem shortened = problem;
@@ -39,7 +39,7 @@ std::vector<fs::path> broken_cases() {
 
 }  // namespace
 
-TEST_CASE("Every broken case is refused with all its problems, where they are, and nothing else") {
+TEST_CASE("Every broken case is refused with exactly its problems at their places") {
   const std::vector<fs::path> files = broken_cases();
   REQUIRE(files.size() >= 25);
   for (const fs::path& file : files) {
@@ -58,7 +58,7 @@ TEST_CASE("Every broken case is refused with all its problems, where they are, a
   }
 }
 
-TEST_CASE("Files that cannot be read are problems, not exceptions") {
+TEST_CASE("Files that cannot be read become problems and do not throw") {
   const gyro::CaseReport missing = gyro::load_case("no/such/case.yaml");
   REQUIRE(missing.problems.size() == 1);
   CHECK(to_string(missing.problems[0]) == "no/such/case.yaml:1:1: there is no such file; give the path of a case file");
@@ -67,7 +67,7 @@ TEST_CASE("Files that cannot be read are problems, not exceptions") {
   CHECK(folder.problems[0].message == "is a directory; give the path of a case file");
 }
 
-TEST_CASE("An error while a case or its table is read is no end of the file") {
+TEST_CASE("A read error in a case or its table is reported and not taken for the end of the file") {
   const gyro::CaseReport itself = gyro::load_case("/proc/self/mem");  // its first read fails with EIO
   REQUIRE(itself.problems.size() == 1);
   CHECK_THAT(itself.problems[0].message, Catch::Matchers::Contains("cannot be read: Input/output error"));

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A case that must be good; its problems go into the test's message.
+/// Loads a case that must have no problems; if it has, they are printed with the test.
 gyro::Case load(const fs::path& file, const std::vector<std::string>& overrides = {}) {
   const gyro::CaseReport report = gyro::load_case(file, overrides);
   std::string all;
@@ -24,7 +24,7 @@ gyro::Case load(const fs::path& file, const std::vector<std::string>& overrides 
   return *report.loaded;
 }
 
-/// A file of its own that is gone when the test ends.
+/// A file that is removed when the test ends.
 struct TemporaryFile {
   fs::path path;
   explicit TemporaryFile(const std::string& text)
@@ -37,7 +37,7 @@ struct TemporaryFile {
 const std::string smallest =
     "time: {duration: 2 ms}\nmaterials:\n  rock: {density: 2600, shear_modulus: 1 GPa, poisson_ratio: 0.25}\n";
 
-/// Cases that ship with the program; those of sweeps are no cases by themselves.
+/// The cases that ship with the program. Files of sweeps are left out, because they are not complete cases.
 std::vector<fs::path> shipped_cases() {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(GYRO_CASES))
@@ -49,7 +49,7 @@ std::vector<fs::path> shipped_cases() {
 
 }  // namespace
 
-TEST_CASE("Every shipped case is good, and its resolved form reads back to the same case") {
+TEST_CASE("Every shipped case loads, and its resolved form reads back to the same case") {
   const std::vector<fs::path> files = shipped_cases();
   REQUIRE(files.size() >= 5);
   for (const fs::path& file : files) {
@@ -64,7 +64,7 @@ TEST_CASE("Every shipped case is good, and its resolved form reads back to the s
   }
 }
 
-TEST_CASE("The large machine has the numbers of its file, in SI") {
+TEST_CASE("The case of the large machine has the numbers of its file, in SI") {
   const gyro::Case c = load(GYRO_CASES "/mkii-62-75/case.yaml");
   CHECK(c.identity.seed == 42);
   CHECK(!c.time.step);
@@ -97,13 +97,13 @@ TEST_CASE("The large machine has the numbers of its file, in SI") {
   REQUIRE(c.drivetrain);
   CHECK(std::get<gyro::DroopMotor>(c.drivetrain->motor).synchronous_speed == Approx(20 * std::numbers::pi));
   CHECK(c.drivetrain->effective_inertia() == Approx(5000 + 3.75 * 3.75 * 50));
-  // The surface properties of rock on steel, in both orders of the table.
+  // The contact properties of rock on steel, in both orders of the table.
   const std::vector<gyro::PairProperties> pairs = pair_table(c);
   CHECK(pairs.at(1).restitution == 0.25);
   CHECK(pairs.at(2).friction == 0.7);
 }
 
-TEST_CASE("The shipped profiles have the measures of the machine") {
+TEST_CASE("The shipped profiles have the dimensions of the machine") {
   const gyro::Case large = load(GYRO_CASES "/mkii-62-75/case.yaml"), small = load(GYRO_CASES "/quickstart.yaml");
   const std::vector<gyro::LinerRow>&a = large.crusher->liners, &b = small.crusher->liners;
   // Mantle 1905 mm, setting + eccentricity at the discharge plane, feed opening 1575 mm.
@@ -116,7 +116,7 @@ TEST_CASE("The shipped profiles have the measures of the machine") {
     CHECK(std::abs(b[k].concave_radius - a[k].concave_radius / 8) <= 0.6e-6);  // both are written to the micrometre
 }
 
-TEST_CASE("What a case leaves out is absent or has its documented default") {
+TEST_CASE("A key that a case leaves out is absent or has its documented default") {
   const TemporaryFile file(smallest);
   const gyro::Case c = load(file.path);
   CHECK(c.identity.seed == 1);
@@ -134,14 +134,14 @@ TEST_CASE("What a case leaves out is absent or has its documented default") {
   CHECK(c.walls.empty());
 }
 
-TEST_CASE("A byte order mark and Windows line ends are read") {
+TEST_CASE("A case with a byte-order mark and Windows line ends is read") {
   std::string text = "\xEF\xBB\xBF" + smallest;
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
   const TemporaryFile file(text);
   CHECK(load(file.path).time.duration == 2e-3);
 }
 
-TEST_CASE("A start state comes by rising id, bonds refer to its rows, rocks are what bonds hold together") {
+TEST_CASE("A start state is sorted by id, its bonds refer to its rows, and bonded particles form rocks") {
   const std::string data = GYRO_CASE_TESTS "/data/";
   const TemporaryFile file(
       smallest +
@@ -160,14 +160,14 @@ TEST_CASE("A start state comes by rising id, bonds refer to its rows, rocks are 
   CHECK((p[0].rock == 0 && p[1].rock == 0 && p[2].rock == 1));
   REQUIRE(c.particles->bonds.size() == 1);
   CHECK((c.particles->bonds[0].i == 0 && c.particles->bonds[0].j == 1));
-  CHECK(c.particles->bonds[0].length == Approx(0.02).epsilon(1e-12));  // their distance, as none is given
+  CHECK(c.particles->bonds[0].length == Approx(0.02).epsilon(1e-12));  // the distance, because no length is given
   CHECK(c.bonds->parameters.normal_modulus == 5e9);
   CHECK(c.bonds->parameters.shear_modulus == 2e9);
   CHECK(c.bonds->parameters.normal_stiffness == 0);
   CHECK(std::get<gyro::AbsoluteBondRadius>(c.bonds->rule.radius).radius == 0.002);
 }
 
-TEST_CASE("Spins of a start state, and probes") {
+TEST_CASE("A start state is read with angular velocities, rocks and probes") {
   const std::string data = GYRO_CASE_TESTS "/data/";
   const TemporaryFile file(smallest +
                            "contacts: {rock/rock: {friction: 0.5, restitution: 0.5}}\n"
@@ -182,7 +182,7 @@ TEST_CASE("Spins of a start state, and probes") {
   CHECK(c.resolved.find("probes: [1, 0]") != std::string::npos);
 }
 
-TEST_CASE("Walls: unit normals, and every motion") {
+TEST_CASE("Walls are read with unit normals and with every motion") {
   const std::string walls =
       "walls:\n"
       "  a: {plane: {point: [0, 0, 1], normal: [0, 3, 4]}, material: rock}\n"
@@ -200,7 +200,7 @@ TEST_CASE("Walls: unit normals, and every motion") {
   CHECK(std::get<gyro::CircularMotion>(c.walls[3].motion).period == 0.05);
 }
 
-TEST_CASE("Every motor and size law") {
+TEST_CASE("Motor models and size distributions are read") {
   const fs::path large = GYRO_CASES "/mkii-62-75/case.yaml";
   const gyro::Case induction =
       load(large, {"drivetrain.motor={model: induction, rated_power: 450 kW, synchronous_speed: 600 "
@@ -220,7 +220,7 @@ TEST_CASE("Every motor and size law") {
   CHECK(std::get<gyro::PassingTable>(sieves.rocks->sizes).points.at(1).fraction == 0.25);
 }
 
-TEST_CASE("A drivetrain with everything arrives as it was written") {
+TEST_CASE("A drivetrain with all its sections is read") {
   const gyro::Case made =
       load(GYRO_CASES "/mkii-62-75/no-load.yaml",
            {"drivetrain.motor=null",

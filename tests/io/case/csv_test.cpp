@@ -17,7 +17,7 @@ CsvTable table_of(const std::string& text) {
 using Rows = std::vector<std::vector<double>>;
 const Rows two{{10, 0}, {20.5, 100}};
 
-/// Problems of the case `cases/quickstart.yaml` with another table.
+/// Problems of the case `cases/quickstart.yaml` with another table for one of its keys.
 std::vector<CaseProblem> problems_with(const std::string& key, const std::string& text,
                                        const std::vector<std::string>& more = {}) {
   const ScratchDirectory folder;
@@ -36,7 +36,7 @@ std::vector<CaseProblem> problems_of_motor(const std::string& rows) {
 
 }  // namespace
 
-TEST_CASE("Tables are read as spreadsheets write them", "[csv]") {
+TEST_CASE("Tables are read in the forms in which spreadsheets write them", "[csv]") {
   const auto text = GENERATE(values<std::string>({
       "size_mm,passing_percent\n10,0\n20.5,100\n",
       "\xEF\xBB\xBFsize_mm,passing_percent\r\n10,0\r\n20.5,100",
@@ -54,15 +54,15 @@ TEST_CASE("Tables are read as spreadsheets write them", "[csv]") {
   CHECK(table.rows == two);
 }
 
-TEST_CASE("A cause that many rows share is told once, with what to do", "[csv]") {
+TEST_CASE("A cause that many rows share is reported once, with what to do", "[csv]") {
   const auto [text, reason] = GENERATE(table<std::string, std::string>({
       {"size_mm,passing_percent\n10,5,0\n20,5,100\n30,5,100\n", "export as CSV with semicolons"},
       {"size_mm,passing_percent\n10 mm,0\n20 mm,100\n30 mm,100\n", "(2 more rows like this)"},
-      {"size_mm;passing_percent\n1.000;0\n2,5;100\n1.500;7\n", "another decimal sign"},
-      {"size_mm;passing_percent\n1.000,5;0\n2.000,5;100\n", "without signs between the thousands"},
+      {"size_mm;passing_percent\n1.000;0\n2,5;100\n1.500;7\n", "a different decimal sign"},
+      {"size_mm;passing_percent\n1.000,5;0\n2.000,5;100\n", "without thousands separators"},
       {"size_mm,passing_percent\n10\n20\n", "(1 more row like this)"},
       {"size;passing_percent\n10;1\n", "it must be size_mm,passing_percent"},
-      {std::string("\xFF\xFEs\0i\0z\0e\0", 10), "no text in UTF-8"},
+      {std::string("\xFF\xFEs\0i\0z\0e\0", 10), "is not a text in UTF-8"},
       {"", "the table is empty"},
   }));
   INFO(text);
@@ -71,7 +71,7 @@ TEST_CASE("A cause that many rows share is told once, with what to do", "[csv]")
   CHECK_THAT(table.problems[0].message, Contains(reason));
 }
 
-TEST_CASE("A comma that may stand between thousands is refused", "[csv]") {
+TEST_CASE("A comma that may be a thousands separator is refused", "[csv]") {
   const auto [text, line, column, more] = GENERATE(table<std::string, int, int, std::string>({
       {"size_mm,passing_percent\n10,0\n\"1,500\",100\n", 3, 1, ""},
       {"size_mm;passing_percent\n10;0\n1,500;100\n", 3, 1, ""},
@@ -83,10 +83,10 @@ TEST_CASE("A comma that may stand between thousands is refused", "[csv]") {
   REQUIRE(table.problems.size() == 1);
   CHECK(table.problems[0].line == line);
   CHECK(table.problems[0].column == column);
-  CHECK_THAT(table.problems[0].message, Contains("write thousands without a sign") && Contains(more));
+  CHECK_THAT(table.problems[0].message, Contains("write thousands without a separator") && Contains(more));
 }
 
-TEST_CASE("One cell shows that the commas of a file are decimal", "[csv]") {
+TEST_CASE("One unambiguous cell shows that the commas of a file are decimal", "[csv]") {
   const std::string shown = GENERATE("2,5", "0,125", "3,1250", "1500,125", "1,5e1");
   INFO(shown);
   const CsvTable table = table_of("size_mm;passing_percent\n1,500;0\n" + shown + ";100\n");
@@ -94,7 +94,7 @@ TEST_CASE("One cell shows that the commas of a file are decimal", "[csv]") {
   CHECK(table.rows[0][0] == 1.5);
 }
 
-TEST_CASE("Sieves may be listed in either order", "[csv]") {
+TEST_CASE("Sieves may be listed in increasing or decreasing order", "[csv]") {
   const std::string sieves = GENERATE("30,0\n45,70\n60,100\n", "60,100\n45,70\n30,0\n");
   const ScratchDirectory folder;
   const CaseReport report =
@@ -115,7 +115,7 @@ TEST_CASE("A sieve curve that does not begin at 0 percent is refused with the ro
   CHECK_THAT(falling[0].message, Contains("add a row with the smallest size to simulate and 0 percent"));
 }
 
-TEST_CASE("A motor's table may go on into the generator's branch", "[csv]") {
+TEST_CASE("The table of a motor may continue above its synchronous speed", "[csv]") {
   CHECK(problems_of_motor("0,6\n1500,7.4\n1697,0\n").empty());
   CHECK(problems_of_motor("0,6\n1500,7.4\n1697,0\n1800,-5\n2000,-9\n").empty());
   CHECK(problems_of_motor("0,6\n1500,7.4\n1800,-5\n2000,-5\n").empty());
@@ -133,7 +133,7 @@ TEST_CASE("A motor's table may go on into the generator's branch", "[csv]") {
   CHECK_THAT(problems[0].message, Contains(reason));
 }
 
-TEST_CASE("The wear coefficient takes 1/Pa", "[csv]") {
+TEST_CASE("The wear coefficient is read in 1/Pa and related units", "[csv]") {
   const auto coefficient = [](const std::string& value) {
     const CaseReport report =
         load_case(GYRO_CASES "/quickstart.yaml", {"output.liners={interval: 10 ms, wear_coefficient: " + value + "}"});

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <set>
 
-TEST_CASE("Every key is described, with a line of its own, once") {
+TEST_CASE("Every key is described exactly once, with its own sentence") {
   const std::string all = gyro::describe();
   std::set<std::string_view> paths;
   for (const gyro::Key& key : gyro::schema_keys()) {
@@ -24,7 +24,7 @@ TEST_CASE("Every key is described, with a line of its own, once") {
   CHECK(paths.size() >= 100);
 }
 
-TEST_CASE("The table is consistent in itself") {
+TEST_CASE("The table of keys is consistent") {
   for (const gyro::Key& key : gyro::schema_keys()) {
     CAPTURE(key.path);
     CHECK(!(key.required && !key.fallback.empty()));
@@ -41,7 +41,7 @@ TEST_CASE("The table is consistent in itself") {
   }
 }
 
-TEST_CASE("The words of motor models are the laws of the drivetrain, and nema, which is one of them by its standard") {
+TEST_CASE("The words of motor models are the motor models of the drivetrain, and nema") {
   std::vector<std::string> words;
   for (const std::string_view word : gyro::split(gyro::find_key("drivetrain.motor.model")->words, '|'))
     words.emplace_back(word);
@@ -71,7 +71,7 @@ TEST_CASE("The largest library that a case may ask for can be made") {
   refuses(recipe);
 }
 
-TEST_CASE("describe knows keys by pattern and by name, and suggests") {
+TEST_CASE("describe finds keys by pattern and by name, and suggests a key for a misspelt one") {
   const std::string step = gyro::describe("time.step");
   CHECK(step.find("quantity [s] or auto, > 0; default auto") != std::string::npos);
   CHECK(step.find("units: s, ms, us") != std::string::npos);
@@ -83,7 +83,7 @@ TEST_CASE("describe knows keys by pattern and by name, and suggests") {
   CHECK_THROWS_AS(gyro::describe("nonsense.of.this.kind"), gyro::BadInput);
 }
 
-TEST_CASE("Suggestions") {
+TEST_CASE("The closest word is suggested for a misspelt one") {
   const std::vector<std::string_view> words = {"duration", "step", "safety", "shear_stiffness"};
   CHECK(gyro::closest("duraton", words) == "duration");
   CHECK(gyro::closest("setp", words) == "step");
@@ -91,7 +91,7 @@ TEST_CASE("Suggestions") {
   CHECK(gyro::closest("colour", words).empty());
 }
 
-TEST_CASE("The JSON Schema names every key") {
+TEST_CASE("The JSON Schema contains every key") {
   const std::string schema = gyro::json_schema();
   CHECK(schema.find("http://json-schema.org/draft-07/schema#") != std::string::npos);
   for (const gyro::Key& key : gyro::schema_keys()) {

@@ -11,7 +11,7 @@ namespace {
 
 const std::string quickstart = GYRO_CASES "/quickstart.yaml";
 
-/// All problems of a case with overrides, a line each.
+/// All problems of a case with overrides, one per line.
 std::string problems(const std::vector<std::string>& overrides) {
   std::string all;
   for (const gyro::CaseProblem& problem : gyro::load_case(quickstart, overrides).problems)
@@ -28,7 +28,7 @@ gyro::Case load(const std::vector<std::string>& overrides) {
 
 }  // namespace
 
-TEST_CASE("Overrides replace, add and leave out keys") {
+TEST_CASE("Overrides replace, add and remove keys") {
   CHECK(load({"time.duration=20 ms"}).time.duration == 0.02);
   CHECK(load({"time.duration=1", "time.duration=2"}).time.duration == 2);  // the last one counts
   CHECK(load({"contacts.rock/rock.friction=0.9"}).contacts.at(0).properties.friction == 0.9);
@@ -42,7 +42,7 @@ TEST_CASE("Overrides replace, add and leave out keys") {
   CHECK(std::get<gyro::AbsoluteBondRadius>(load({"bonds.radius={absolute: 2 mm}"}).bonds->rule.radius).radius == 0.002);
 }
 
-TEST_CASE("Forms of rocks and bonds that the quickstart does not use") {
+TEST_CASE("Rocks and bonds can be given in forms that the quickstart does not use") {
   const gyro::Case range = load({"rocks.fill={sizes: [8 mm, 45 mm]}"});
   const auto& fill = std::get<gyro::RangeFill>(range.rocks->fill);
   CHECK(fill.smallest == 0.008);
@@ -73,7 +73,7 @@ TEST_CASE("Forms of rocks and bonds that the quickstart does not use") {
   CHECK(vendor.points.at(2).fraction == 0.8);
 }
 
-TEST_CASE("Forms that do not fit together are refused") {
+TEST_CASE("Keys that exclude each other and values out of range are refused") {
   const auto refused = [](const std::string& override, const std::string& reason) {
     CAPTURE(override, problems({override}));
     CHECK(problems({override}).find(reason) != std::string::npos);
@@ -95,12 +95,12 @@ TEST_CASE("Forms that do not fit together are refused") {
   refused("rocks.sizes={vendor: {feed_opening: 1 m, min: 200 mm}}", "below 0.1 of feed_opening");
 }
 
-TEST_CASE("Bad overrides are problems of the override, at its column") {
+TEST_CASE("Problems of overrides are reported with the number and column of the override") {
   CHECK(problems({"time.duration=1 s", "time.duration=5 kg"})
             .starts_with("--set:2:15: time.duration: \"5 kg\" is a mass; "));
   CHECK(problems({"time.duraton=5 s"})
             .starts_with("--set:1:1: unknown key \"duraton\" in time; did you mean \"duration\"?"));
-  CHECK(problems({"time.duration"}).starts_with("--set:1:1: \"time.duration\" sets nothing; write key.path=value"));
+  CHECK(problems({"time.duration"}).starts_with("--set:1:1: \"time.duration\" is not an override; write key.path="));
   CHECK(problems({"time.duration="}).starts_with("--set:1:1: "));
   CHECK(problems({"=3"}).starts_with("--set:1:1: "));
   CHECK(problems({"time..step=3"}).starts_with("--set:1:1: "));
@@ -111,7 +111,7 @@ TEST_CASE("Bad overrides are problems of the override, at its column") {
   CHECK(problems({"bnods=null"}).starts_with("--set:1:1: unknown key \"bnods\"; did you mean \"bonds\"?"));
 }
 
-TEST_CASE("Problems of the file and of overrides come together, those of the file first") {
+TEST_CASE("Problems of the file and of overrides are reported together, those of the file first") {
   const gyro::CaseReport report =
       gyro::load_case(GYRO_CASE_TESTS "/broken/misspelt-key.yaml", {"time.duration=5 kg", "case.seed=x"});
   REQUIRE(report.problems.size() == 3);
@@ -120,7 +120,7 @@ TEST_CASE("Problems of the file and of overrides come together, those of the fil
   CHECK(report.problems[2].line == 2);
 }
 
-TEST_CASE("The failure criterion of bonds and its friction angle") {
+TEST_CASE("The failure criterion of bonds is read with its friction angle") {
   const gyro::Case constant = load({"bonds.failure=constant"});
   CHECK(constant.bonds->model.failure == gyro::BondFailure::constant);
   CHECK(constant.bonds->parameters.internal_friction == 0);
@@ -134,8 +134,8 @@ TEST_CASE("The failure criterion of bonds and its friction angle") {
   CHECK(problems({"bonds.friction_angle=30 deg"}).find("it belongs to failure: mohr_coulomb") != std::string::npos);
 }
 
-TEST_CASE("A number of the bond law has the name of its key") {
-  // So that it is read without a line of its own; these are computed from other keys.
+TEST_CASE("Every number of the bond law has the name of its key, or is computed") {
+  // Numbers with the name of a key are read without code of their own. These are computed from other keys.
   const std::vector<std::string> computed = {"normal_modulus", "shear_modulus", "internal_friction"};
   gyro::BondParameters numbers;
   gyro::BondParameters::for_each_field(
