@@ -54,7 +54,7 @@ std::string limits_of(const Key& key) {
   return text;
 }
 
-/// Groups of keys of which a section holds one: ` with exactly one of relative | absolute`.
+/// Groups of keys of which a section must have exactly one: ` with exactly one of relative | absolute`.
 std::string alternatives_of(const Key& key) {
   std::string groups;
   for (const std::string_view group : split(key.one_of, '|'))
@@ -62,20 +62,20 @@ std::string alternatives_of(const Key& key) {
   return groups;
 }
 
-/// Default, or whether the key is required, and the neighbour that it depends on: `; default 0.5 ms, without fmu`.
+/// Default, or whether the key is required, and the other key that it depends on: `; default 0.5 ms, without fmu`.
 std::string presence_of(const Key& key) {
   const bool needs_word = key.when.find('=') != std::string_view::npos;
   std::string neighbour;
   if (!key.when.empty() && !needs_word)
-    neighbour = key.when.starts_with('!') ? ", without " + std::string(key.when.substr(1))
-                                          : ", beside " + std::string(key.when);
+    neighbour =
+        key.when.starts_with('!') ? ", without " + std::string(key.when.substr(1)) : ", with " + std::string(key.when);
   if (!key.fallback.empty()) return "; default " + std::string(key.fallback) + neighbour;
   if (needs_word) return "; required with " + std::string(key.when);
   if (key.required) return "; required" + neighbour;
   return (key.defaulted ? "; all its keys have defaults" : "; optional") + neighbour;
 }
 
-/// `quantity [m], > 0 m; default 0.5 ms`
+/// All properties of a key: `quantity [s], > 0; default 0.5 ms`.
 std::string properties_of(const Key& key) {
   return kind_of(key) + limits_of(key) + alternatives_of(key) + presence_of(key);
 }
@@ -84,7 +84,7 @@ std::string entry_of(const Key& key) {
   return std::string(key.path) + "\n    " + properties_of(key) + "\n    " + std::string(key.doc) + "\n";
 }
 
-/// Units of a dimension other than its SI unit: `mm, cm, ...`
+/// All units of a dimension: `m, km, cm, ...`
 std::string units_of(Dimension dimension) {
   std::string list;
   for (const Unit& unit : units())
@@ -92,7 +92,7 @@ std::string units_of(Dimension dimension) {
   return list;
 }
 
-/// Says that a key does not exist, and which one was probably meant.
+/// Refuses a key that does not exist, and suggests the one that was probably meant.
 [[noreturn]] void refuse(const std::string& key) {
   std::vector<std::string_view> paths;
   for (const Key& known : schema_keys()) paths.push_back(known.path);
@@ -110,7 +110,7 @@ std::string units_of(Dimension dimension) {
 std::string describe(const std::string& key) {
   const std::string head =
       "A quantity is a plain number in the unit in brackets, or a text with a unit, such as 120 mm.\n"
-      "Paths of files are relative to the case file; <name> and <pair> stand for names of your own.\n\n";
+      "Paths of files are relative to the case file; <name> and <pair> stand for names that you choose.\n\n";
   if (key.empty()) {
     std::string text = head;
     for (const Key& known : schema_keys()) text += entry_of(known);
@@ -118,7 +118,7 @@ std::string describe(const std::string& key) {
   }
   const Key* found = match_key(key);
   std::string text = found == nullptr ? "" : entry_of(*found);
-  // `materials.rock` is not a key of the table, but it has keys that are.
+  // `materials.rock` is not a key of the table, but keys below it are.
   const std::string probe = key + ".";
   for (const Key& known : schema_keys()) {
     const std::vector<std::string_view> pattern = split(known.path, '.'), parts = split(key, '.');

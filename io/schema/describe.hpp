@@ -5,8 +5,8 @@
 
 namespace gyro {
 
-/// Documentation of a key (type, unit, default, range, one line), of all keys below a section, or
-/// of the whole file for an empty key.
+/// Documentation of a key and of all keys below it, or of the whole case file for an empty key. For each key it gives
+/// type, unit, range, default and one sentence.
 /// @throws BadInput for an unknown key, with a suggestion
 std::string describe(const std::string& key = {});
 

@@ -21,7 +21,7 @@ void add_range(Json& schema, const Range& range) {
   if (std::isfinite(range.high)) schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
 }
 
-/// Regular expression for a number with a unit of the dimension, or a number alone.
+/// Regular expression for a number with or without a unit of the dimension.
 std::string quantity_pattern(Dimension dimension) {
   std::string names;
   for (const Unit& unit : units()) {
@@ -32,7 +32,7 @@ std::string quantity_pattern(Dimension dimension) {
   return "^[ ]*[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?[ ]*(" + names + ")?[ ]*$";
 }
 
-/// A number in SI with limits, or a text with a unit (whose limits only the program checks).
+/// A number in SI within its limits, or a text with a unit. Only the program checks the limits of the latter.
 Json quantity_schema(const Key& key) {
   Json number = {{"type", "number"}};
   add_range(number, key.range);
@@ -105,7 +105,7 @@ Json value_schema(const Key& key) {
   return {};
 }
 
-/// A key that stands only beside another one, or only without it.
+/// Condition of a key that is allowed only together with another key, or only without it.
 Json neighbour_schema(const Key& key) {
   const bool wanted = !key.when.starts_with('!');
   const Json neighbour = {{"required", Json::array({std::string(key.when.substr(wanted ? 0 : 1))})}};

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// Inside io/schema: the parts that schema_keys() puts together.
+// For use in io/schema only: the parts of the table of keys that schema_keys() puts together.
 
 namespace gyro {
 

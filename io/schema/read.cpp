@@ -20,7 +20,7 @@ bool is_pair(std::string_view text) {
   return slash != std::string_view::npos && is_name(text.substr(0, slash)) && is_name(text.substr(slash + 1));
 }
 
-/// Reads a document section by section, as the table says.
+/// Reads a document section by section, according to the table of keys.
 class Reader {
  public:
   explicit Reader(std::vector<MarkedProblem>& problems) : values_(problems) {}
@@ -35,7 +35,7 @@ class Reader {
  private:
   void problem(Mark mark, std::string message) { values_.problem(mark, std::move(message)); }
 
-  /// Whether a key is missing, or an override removes it.
+  /// Whether a key is missing, or removed by an override.
   static bool absent(const YamlEntry* entry) {
     return entry == nullptr || (entry->value.kind == Kind::null && entry->value.mark.source > 0);
   }
@@ -84,7 +84,8 @@ class Reader {
     }
   }
 
-  /// Whether a key with a condition belongs here; one that depends on a neighbour's word is then required.
+  /// Whether a key with a condition is allowed here. A key that depends on the word of another key is then also
+  /// required.
   bool applies(const Setting& section, const Key& key, const YamlNode& map, const std::string& path, bool& required) {
     const YamlEntry* entry = map.find(key.name());
     const std::size_t equals = key.when.find('=');
@@ -100,7 +101,7 @@ class Reader {
     return required;
   }
 
-  /// Whether a key may stand here: the neighbour that it needs is present, or the one that it excludes is absent.
+  /// Whether a key is allowed here: the other key that it needs is present, or the one that it excludes is absent.
   bool stands_beside(const Key& key, const YamlNode& map, const std::string& path) {
     const bool wanted = !key.when.starts_with('!');
     const std::string neighbour(key.when.substr(wanted ? 0 : 1));
@@ -204,7 +205,7 @@ class Reader {
     return true;
   }
 
-  /// Names are not restricted, because a foreign program defines them.
+  /// Names are not restricted, because another program defines them.
   bool read_values(Setting& setting, const Key& key, const YamlEntry& entry, const std::string& path) {
     if (entry.value.kind != Kind::map) return values_.wrong_form(key, entry.value, path);
     setting.mark = entry.mark;

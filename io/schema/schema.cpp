@@ -10,7 +10,7 @@
 namespace gyro {
 namespace {
 
-/// A number in running text: 0.5, 1000000, 1.0e-9.
+/// A limit in a message, with its unit: 0.5, 1000000, 1.0e-09 m.
 std::string limit_text(double value, Dimension dimension) {
   const std::string_view unit = si_unit(dimension);
   const bool whole = std::abs(value) < 1e16 && value == std::floor(value);
@@ -18,7 +18,7 @@ std::string limit_text(double value, Dimension dimension) {
   return unit == "1" || value == 0 ? text : text + " " + std::string(unit);
 }
 
-/// Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours.
+/// Optimal string alignment distance: number of insertions, deletions, substitutions and swaps of adjacent letters.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, above(b.size() + 1), row(b.size() + 1);
   std::iota(above.begin(), above.end(), std::size_t{0});
@@ -109,7 +109,7 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
   std::size_t minimum = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
     std::size_t distance = edit_distance(word, candidate);
-    // A word that only lacks its beginning or end, as `stiffness` for `shear_stiffness`.
+    // The word may lack only its beginning or end, such as `stiffness` for `shear_stiffness`.
     if (word.size() >= 4 && (candidate.starts_with(word) || candidate.ends_with(word)))
       distance = std::min<std::size_t>(distance, 2);
     if (distance < minimum && distance < candidate.size()) {

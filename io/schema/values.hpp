@@ -5,7 +5,7 @@
 
 namespace gyro {
 
-/// Reads single values and lists as their keys demand, and says what is wrong with them.
+/// Reads single values and lists according to their keys, and reports their problems.
 class ValueReader {
  public:
   explicit ValueReader(std::vector<MarkedProblem>& problems) : problems_(problems) {}
@@ -34,13 +34,13 @@ class ValueReader {
   std::vector<MarkedProblem>& problems_;
 };
 
-/// What the value of a key looks like, to follow "give" or "use": a whole number, a list of paths.
+/// What the value of a key looks like, as a phrase after "give" or "use": "a whole number", "a list of paths".
 std::string form_of(const Key& key);
 
-/// Names of the keys directly below a section: a, b or c
+/// Names of the keys directly below a section: "a, b or c"
 std::string names_below(std::string_view section);
 
-/// a, b or c
+/// Words as a choice: "a, b or c"
 std::string choice(const std::vector<std::string_view>& words);
 
 std::string in_quotes(std::string_view text);

@@ -6,7 +6,7 @@
 namespace gyro {
 namespace {
 
-/// A text in double quotes, which every YAML and JSON reader takes the same way.
+/// A text in double quotes, with escapes that every YAML reader reads in the same way.
 std::string quoted_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -65,7 +65,7 @@ void write_below(const Setting& section, const std::string& indent, std::string&
   for (const Setting& child : section.children) {
     const bool named_value = section.key != nullptr && section.key->type == KeyType::values;
     text += indent + (named_value ? quoted_text(child.name) : child.name) + ":";
-    // A section may be one of its words instead, as `motion: fixed`.
+    // Instead of a map, a section may be one of its words, such as `motion: fixed`.
     const bool map = child.texts.empty() && child.numbers.empty() &&
                      (child.key->type == KeyType::section || child.key->type == KeyType::named ||
                       child.key->type == KeyType::values);
