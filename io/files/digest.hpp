@@ -9,14 +9,14 @@
 
 namespace gyro {
 
-/// XXH3 of 128 bits over bytes that come in pieces: tells files and texts apart, and finds what was damaged. It
-/// protects from accidents, not from somebody who makes a file with the digest of another.
+/// The 128-bit XXH3 hash of bytes that are passed in pieces. It identifies files and texts, and detects accidental
+/// damage. It does not protect from a file that was made deliberately to have the digest of another.
 class Digest {
  public:
   Digest();
   ~Digest();
   void update(std::span<const char> bytes);
-  /// Of all bytes so far, as 32 hexadecimal digits.
+  /// Digest of all bytes so far, as 32 hexadecimal digits.
   std::string hex() const;
 
  private:
@@ -26,7 +26,7 @@ class Digest {
 
 std::string digest_of(std::string_view bytes);
 
-/// Of the content of a file. @throws BadInput, with the path, when it cannot be read to its end
+/// Digest of the content of a file. @throws BadInput, with the path, if the file cannot be read to its end
 std::string digest_of_file(const std::filesystem::path& file);
 
 }  // namespace gyro

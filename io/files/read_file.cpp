@@ -20,7 +20,7 @@ class OpenFile {
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
 
-  /// Fills at most `size` bytes. @return how many; 0 at the end
+  /// Reads at most `size` bytes. @return number of bytes read; 0 at the end
   std::size_t read(char* bytes, std::size_t size) const {
     for (;;) {
       const ssize_t got = ::read(descriptor_, bytes, size);

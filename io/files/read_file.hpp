@@ -10,14 +10,14 @@
 
 namespace gyro {
 
-/// A file that cannot be read; the message is the path and the problem.
+/// A file cannot be read. The message is the path and the problem.
 struct UnreadableFile : BadInput {
   UnreadableFile(const std::filesystem::path& path, const std::string& problem_);
   std::string problem;  ///< what is wrong and what to do, without the path
 };
 
-/// All bytes of a file. An error in the middle of the file is an error, and never its end.
-/// @param largest  bytes that it may have
+/// All bytes of a file. A read error in the middle of the file is an error, and is not taken for the end of the file.
+/// @param largest  largest allowed size [bytes]
 /// @throws UnreadableFile if it is missing, a directory or too large, or if a read fails
 std::string read_file(const std::filesystem::path& path, std::size_t largest = std::numeric_limits<std::size_t>::max());
 

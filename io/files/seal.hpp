@@ -5,12 +5,12 @@
 
 namespace gyro {
 
-/// Appends the digest of a file's content to it. HDF5 ignores what stands behind its data.
+/// Appends to a file the digest of its content. HDF5 ignores bytes after its data.
 /// @throws OutputError
 void seal(const std::filesystem::path& file);
 
-/// Whether a file ends with the digest of what stands before it. The HDF5 library can crash or hang on a damaged file,
-/// so files that are written once are checked with this before the library opens them.
+/// Whether a file ends with the digest of all bytes before it. The HDF5 library can crash or hang on a damaged file.
+/// Therefore files that are written only once are checked with this function before the library opens them.
 bool is_sealed(const std::filesystem::path& file);
 
 }  // namespace gyro

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double pound = 0.45359237;                           // international pound, exact [kg]
-constexpr double standard_gravity = 9.80665;                   // exact [m/s2]
+constexpr double standard_gravity = 9.80665;                   // by definition [m/s2]
 constexpr double horsepower = 550 * pound * 9.80665 * 0.3048;  // mechanical: 550 ft lbf/s [W]
 constexpr double psi = pound * 9.80665 / (0.0254 * 0.0254);    // lbf/in2 [Pa]
 
@@ -134,7 +134,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
-/// One spelling for `kg*m^2`, `kg·m²` and `kg  m2`; `µs` and `us`; `°` and `deg`.
+/// The same spelling for `kg*m^2`, `kg·m²` and `kg  m2`, for `µs` and `us`, and for `°` and `deg`.
 std::string canonical_unit(std::string_view text) {
   std::string unit(trimmed(text));
   for (const char* times : {"*", "\u00b7", "\u22c5"}) replace_all(unit, times, " ");
@@ -148,7 +148,7 @@ std::string canonical_unit(std::string_view text) {
   return unit;
 }
 
-/// Length of the longest prefix that is a decimal number (sign, digits, point, exponent), 0 for none.
+/// Length of the longest prefix that is a decimal number (sign, digits, point, exponent); 0 if there is none.
 std::size_t number_length(std::string_view text) {
   std::size_t at = 0, digits = 0;
   if (at < text.size() && (text[at] == '+' || text[at] == '-')) ++at;
@@ -197,14 +197,14 @@ const Unit* find_unit(const std::string& name, Dimension dimension) {
   return other;
 }
 
-/// The number in front of a text, in the text's own unit; `rest` is what follows it.
+/// The number at the beginning of a text, in the unit of the text. @param rest  receives the text after it
 ParsedNumber leading_number(std::string_view text, std::string_view& rest, const std::string& what_to_do) {
   const std::size_t length = number_length(text);
   if (length == 0) return {{}, in_quotes(text) + " is not a number; " + what_to_do};
   std::string_view digits = text.substr(0, length);
   rest = text.substr(length);
   if (has_leading_zero(digits))
-    return {{}, in_quotes(text) + " has a leading zero, which some readers take for octal; write it without"};
+    return {{}, in_quotes(text) + " has a leading zero, which some readers take for octal; write it without the zero"};
   if (digits.front() == '+') digits.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -213,7 +213,7 @@ ParsedNumber leading_number(std::string_view text, std::string_view& rest, const
   return {value, {}};
 }
 
-/// value x factor, rounded once: 21.7 mm is the double nearest to 0.0217.
+/// value x factor, rounded only once: 21.7 mm becomes the double nearest to 0.0217.
 double in_si(double value, double factor) {
   const double inverse = std::round(1 / factor);
   return inverse > 1 && 1 / inverse == factor ? value / inverse : value * factor;

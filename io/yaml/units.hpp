@@ -41,26 +41,26 @@ struct Unit {
   double factor;  ///< value in SI = factor x value in this unit
 };
 
-/// Every unit, grouped by dimension, the SI unit of a dimension first.
+/// All units, grouped by dimension; the SI unit of a dimension comes first.
 const std::vector<Unit>& units();
 
-/// "a length", "a time" ... with its article.
+/// Name of a dimension with its article: "a length", "a time" ...
 std::string_view name_of(Dimension dimension);
 
 /// SI unit of a dimension; "1" for a plain number.
 std::string_view si_unit(Dimension dimension);
 
-/// A parsed number, or why the text is not one.
+/// A parsed number, or the reason why the text is not a number.
 struct ParsedNumber {
   std::optional<double> value;  ///< in SI
   std::string problem;          ///< "problem; what to do" when there is no value
 };
 
-/// Reads `12`, `1e-3`, `120 mm`, `50 kg m2` as the given dimension. A plain number is in SI.
-/// Refused: other dimensions, unknown units, values that are not finite, `010`, `0x10`, anything left over.
+/// Reads `12`, `1e-3`, `120 mm`, `50 kg m2` as a quantity of the given dimension. A plain number is in SI.
+/// Other dimensions, unknown units, values that are not finite, `010`, `0x10` and trailing text are refused.
 ParsedNumber parse_quantity(std::string_view text, Dimension dimension);
 
-/// Reads a whole number: `24` or `1e6`; refused: `010`, `0x18`, `2.5`, units.
+/// Reads a whole number such as `24` or `1e6`. `010`, `0x18`, `2.5` and units are refused.
 /// The value is exact up to 2^53.
 ParsedNumber parse_integer(std::string_view text);
 

@@ -10,12 +10,12 @@
 namespace gyro {
 namespace {
 
-constexpr std::size_t deepest = 64;  // a case file nests 6 deep
+constexpr std::size_t deepest = 64;  // levels of nesting; a case file has 6
 
 struct TooDeep {};
 
-/// Builds the tree from yaml-cpp's events, which still know of anchors, aliases, tags and double
-/// keys; yaml-cpp's own node tree has lost them.
+/// Builds the tree from yaml-cpp's events. The events contain anchors, aliases, tags and duplicate keys, which
+/// yaml-cpp's own node tree does not.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(Mark first, YamlDocument& document) : first_(first), document_(document) {}
@@ -29,7 +29,7 @@ class TreeBuilder : public YAML::EventHandler {
     attach(node(YamlNode::Kind::null, mark));
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    problem(place(mark), "aliases (*name) are not read; write the value out");
+    problem(place(mark), "aliases (*name) are not supported; write the value itself");
     attach(node(YamlNode::Kind::null, mark));
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -62,11 +62,11 @@ class TreeBuilder : public YAML::EventHandler {
   /// A list or map that is still open.
   struct Frame {
     YamlNode node;
-    bool has_key = false;  ///< a map's key has come, its value has not
-    bool drop = false;     ///< the value belongs to a key that is refused
+    bool has_key = false;  ///< the key of an entry has been read, but not yet its value
+    bool drop = false;     ///< the value belongs to a key that was refused
     std::string key;
     Mark key_mark;
-    std::unordered_map<std::string, Mark> keys;  ///< of a map so far, and where they are
+    std::unordered_map<std::string, Mark> keys;  ///< keys of a map so far, and their places
   };
 
   YamlNode node(YamlNode::Kind kind, const YAML::Mark& mark) const {
@@ -76,17 +76,17 @@ class TreeBuilder : public YAML::EventHandler {
     return made;
   }
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
-    if (anchor != 0) problem(place(mark), "anchors (&name) are not read; write the value out where it is needed");
+    if (anchor != 0) problem(place(mark), "anchors (&name) are not supported; write the value wherever it is needed");
   }
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (!tag.empty() && tag != "?" && tag != "!")
-      problem(place(mark), "tags (!" + tag.substr(tag.find_last_of(":!") + 1) + ") are not read; leave the tag out");
+      problem(place(mark), "tags (!" + tag.substr(tag.find_last_of(":!") + 1) + ") are not supported; remove the tag");
   }
   void open(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
     if (frames_.size() >= deepest) {
-      problem(place(mark), "nested too deep; use at most " + std::to_string(deepest) + " levels");
+      problem(place(mark), "nested too deeply; use at most " + std::to_string(deepest) + " levels");
       throw TooDeep{};
     }
     frames_.push_back({node(kind, mark), false, false, {}, {}, {}});
@@ -113,7 +113,7 @@ class TreeBuilder : public YAML::EventHandler {
     frame.drop = true;
     if (key.kind != YamlNode::Kind::scalar)
       return problem(key.mark, "a key must be a name; a list, a map or null cannot be a key");
-    if (key.text == "<<") return problem(key.mark, "merge keys (<<) are not read; write the keys out");
+    if (key.text == "<<") return problem(key.mark, "merge keys (<<) are not supported; write the keys themselves");
     const auto [before, first] = frame.keys.try_emplace(key.text, key.mark);
     if (!first)
       return problem(key.mark, "key \"" + key.text + "\" is given twice (first at " +
@@ -129,8 +129,8 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Frame> frames_;
 };
 
-/// Length of the UTF-8 sequence at the front of a text, 0 if it is none (RFC 3629: no overlong
-/// forms, no surrogates, nothing above U+10FFFF).
+/// Length of the UTF-8 sequence at the beginning of a text; 0 if it is not valid (RFC 3629: no overlong forms, no
+/// surrogates, nothing above U+10FFFF).
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
   const auto follows = [&](std::size_t k, unsigned low = 0x80, unsigned high = 0xBF) {
@@ -151,7 +151,7 @@ std::size_t sequence_length(std::string_view text) {
   return 0;
 }
 
-/// Where a text stops being UTF-8, if it does.
+/// Whether a text is UTF-8. @param mark  place where the text begins; moved to the first invalid byte
 bool is_utf8(std::string_view text, Mark& mark) {
   while (!text.empty()) {
     const std::size_t length = sequence_length(text);
@@ -203,7 +203,7 @@ YamlDocument parse_yaml(std::string_view text, Mark first) {
   } catch (const YAML::Exception& error) {
     builder.problem(builder.place(error.mark), "not valid YAML: " + error.msg + "; write `key: value` lines");
   } catch (const TooDeep&) {
-    // already among the problems
+    // the problem has already been added
   }
   return document;
 }

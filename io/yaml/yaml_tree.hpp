@@ -7,14 +7,14 @@
 
 namespace gyro {
 
-/// A place in the input. Lines and columns count from 1.
+/// A place in the input. Lines and columns are counted from 1.
 struct Mark {
   int source = 0;  ///< 0: the case file; k: the k-th override
   int line = 1;
   int column = 1;
 };
 
-/// What is wrong at a place: "problem; what to do".
+/// A problem at a place. The message has the form "problem; what to do".
 struct MarkedProblem {
   Mark mark = {};
   std::string message;
@@ -22,7 +22,7 @@ struct MarkedProblem {
 
 struct YamlEntry;
 
-/// A YAML node with its place: a null, a scalar's text, a list or a map in the order of the file.
+/// A YAML node with its place: null, the text of a scalar, a list, or a map in the order of the file.
 struct YamlNode {
   enum class Kind { null, scalar, list, map };
   Kind kind = Kind::null;
@@ -31,7 +31,7 @@ struct YamlNode {
   std::vector<YamlNode> items = {};     ///< of a list
   std::vector<YamlEntry> entries = {};  ///< of a map; keys are unique
 
-  YamlEntry* find(std::string_view key);  ///< in a map; null where there is none
+  YamlEntry* find(std::string_view key);  ///< entry of a map; null if there is no such key
   const YamlEntry* find(std::string_view key) const;
 };
 
@@ -42,15 +42,15 @@ struct YamlEntry {
   YamlNode value;
 };
 
-/// One YAML document, and everything about it that a case file may not have: syntax errors, keys
-/// given twice, merge keys, anchors, aliases, tags, a second document, text that is not UTF-8.
+/// One YAML document, and its problems: syntax errors, and what a case file may not contain: duplicate keys, merge
+/// keys, anchors, aliases, tags, a second document, text that is not UTF-8.
 struct YamlDocument {
   YamlNode root;
   std::vector<MarkedProblem> problems;
 };
 
-/// Parses a text. Never throws on bad text. A byte order mark of UTF-8 is skipped.
-/// @param first  where the text begins: its line and column are added to those inside the text
+/// Parses a text. Bad text becomes a problem and is never thrown. A byte-order mark of UTF-8 is skipped.
+/// @param first  place where the text begins; all places of the result are relative to it
 YamlDocument parse_yaml(std::string_view text, Mark first = {});
 
 }  // namespace gyro

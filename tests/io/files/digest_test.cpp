@@ -23,7 +23,7 @@ std::string read(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("The digest is XXH3 of 128 bits", "[digest]") {
+TEST_CASE("The digest is the 128-bit XXH3 hash", "[digest]") {
   // The hash of no bytes, as `xxhsum -H2` of Debian's package xxhash prints it.
   CHECK(digest_of("") == "99aa06d3014798d86001c324468d497f");
   Digest in_pieces;
@@ -33,14 +33,14 @@ TEST_CASE("The digest is XXH3 of 128 bits", "[digest]") {
   CHECK(digest_of(std::string(4096, '\0')) != digest_of(std::string(4096, '\xff')));
 }
 
-TEST_CASE("The digest of a file that cannot be read is a refusal", "[digest]") {
+TEST_CASE("The digest of a file that cannot be read is refused", "[digest]") {
   const ScratchDirectory folder;
   CHECK_THROWS_AS(digest_of_file(folder.path() / "none"), BadInput);
-  CHECK_THROWS_AS(digest_of_file("/proc/self/mem"), BadInput);  // reading its first byte is an input error
+  CHECK_THROWS_AS(digest_of_file("/proc/self/mem"), BadInput);  // reading its first byte is an input/output error
   CHECK_THROWS_AS(digest_of_file(folder.path()), BadInput);
 }
 
-TEST_CASE("A sealed file is known, and each change of a byte breaks the seal", "[digest]") {
+TEST_CASE("A sealed file is recognised, and any changed, missing or added byte breaks the seal", "[digest]") {
   const ScratchDirectory folder;
   const auto file = folder.path() / "some.h5";
   std::string content(3'000'000, '\0');  // more than one piece

@@ -7,11 +7,11 @@ using namespace gyro;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 
-TEST_CASE("A device is no file to read") {
+TEST_CASE("A device is refused as a file") {
   CHECK_THROWS_WITH(read_file("/dev/zero"), Catch::Matchers::Contains("is a device"));
 }
 
-TEST_CASE("A whole file is read, whatever its bytes") {
+TEST_CASE("A file is read as a whole, whatever its bytes") {
   const ScratchDirectory folder;
   std::string bytes = "a\r\n";
   bytes.resize(3 << 20, '\0');
@@ -19,7 +19,7 @@ TEST_CASE("A whole file is read, whatever its bytes") {
   CHECK((read_file(written(folder, "large", bytes)) == bytes));
   CHECK(read_file(written(folder, "empty", "")).empty());
   CHECK(read_file(written(folder, "four", "1234"), 4) == "1234");
-  CHECK(!read_file("/proc/self/status").empty());  // its size is said to be 0
+  CHECK(!read_file("/proc/self/status").empty());  // the system reports a size of 0 for it
 }
 
 TEST_CASE("A file that cannot be read is refused with the reason") {

@@ -21,7 +21,7 @@ struct Example {
 
 }  // namespace
 
-TEST_CASE("Quantities are read in SI") {
+TEST_CASE("Quantities are converted to SI") {
   // Factors by definition: inch 25.4 mm, pound 0.45359237 kg, hp 745.69987158227 W (BIPM/NIST SP 811).
   const Example example = GENERATE(values<Example>({
       {"12", Dimension::length, 12},
@@ -104,7 +104,7 @@ TEST_CASE("A text that is not a quantity of the dimension is refused with what t
   CHECK(parsed.problem.find("; ") != std::string::npos);
 }
 
-TEST_CASE("Whole numbers") {
+TEST_CASE("Whole numbers are read, and other texts are refused") {
   CHECK(*parse_integer("24").value == 24);
   CHECK(*parse_integer("1e6").value == 1e6);
   CHECK(*parse_integer("-3").value == -3);
@@ -115,7 +115,7 @@ TEST_CASE("Whole numbers") {
   }
 }
 
-TEST_CASE("Units are unique and every dimension but the plain number begins with its SI unit") {
+TEST_CASE("Units are unique and every dimension begins with its SI unit") {
   std::set<std::string_view> names;
   std::set<Dimension> seen;
   for (const gyro::Unit& unit : gyro::units()) {
@@ -126,7 +126,7 @@ TEST_CASE("Units are unique and every dimension but the plain number begins with
   CHECK(names.size() >= 60);
 }
 
-TEST_CASE("Numbers are written as every YAML reader takes them and read back to the bit") {
+TEST_CASE("Numbers are written in a form that every YAML reader accepts, and read back to the bit") {
   CHECK(gyro::number_text(1e-9) == "1.0e-09");
   CHECK(gyro::number_text(1.67e12) == "1.67e+12");
   CHECK(gyro::number_text(2600) == "2600");
@@ -135,7 +135,7 @@ TEST_CASE("Numbers are written as every YAML reader takes them and read back to 
     const std::string text = gyro::number_text(x);
     CAPTURE(text);
     CHECK(*parse_quantity(text, Dimension::number).value == x);
-    // PyYAML takes a number with an exponent for a text unless it has a point and a sign.
+    // PyYAML reads a number with an exponent as text unless it has a point and a sign in the exponent.
     const std::size_t e = text.find('e');
     if (e != std::string::npos) {
       CHECK(text.substr(0, e).find('.') != std::string::npos);

@@ -10,7 +10,7 @@ using gyro::parse_yaml;
 using gyro::YamlDocument;
 using Kind = gyro::YamlNode::Kind;
 
-TEST_CASE("A document becomes a tree with places that count from 1") {
+TEST_CASE("A document becomes a tree with lines and columns from 1") {
   const YamlDocument document = parse_yaml("# first\na: {b: [1, x y]}\nc:\n  d: 'two words'\n  e: ~\n");
   REQUIRE(document.problems.empty());
   const auto& root = document.root;
@@ -35,7 +35,7 @@ TEST_CASE("A text inside a longer line keeps its column") {
   CHECK(document.problems[0].mark.column == 17);
 }
 
-TEST_CASE("Nesting without end is refused, not followed") {
+TEST_CASE("Very deep nesting is refused") {
   std::string indents;
   for (int k = 0; k < 500; ++k) indents += std::string(static_cast<std::size_t>(k), ' ') + "a:\n";
   std::string dashes;
@@ -43,11 +43,11 @@ TEST_CASE("Nesting without end is refused, not followed") {
   for (const std::string& text : {std::string(200000, '['), std::string(200000, '{'), indents, dashes}) {
     const YamlDocument document = parse_yaml(text);
     REQUIRE(document.problems.size() == 1);
-    CHECK(document.problems[0].message == "nested too deep; use at most 64 levels");
+    CHECK(document.problems[0].message == "nested too deeply; use at most 64 levels");
   }
 }
 
-TEST_CASE("Text that is not UTF-8 is refused where it begins") {
+TEST_CASE("Text that is not UTF-8 is refused at its first invalid byte") {
   for (const std::string& bad : {std::string("\xB5"), std::string("\xC0\xAF"), std::string("\xED\xA0\x80"),
                                  std::string("\xF5\x80\x80\x80"), std::string("\xE2\x82"), std::string(1, '\0')}) {
     const YamlDocument document = parse_yaml("a: 1\nb: " + bad + "\n");
@@ -57,7 +57,7 @@ TEST_CASE("Text that is not UTF-8 is refused where it begins") {
   CHECK(parse_yaml("a: \u00b5m \u20ac \U0001F600\n").problems.empty());
 }
 
-TEST_CASE("Noise never throws and is never silently taken") {
+TEST_CASE("Parsing damaged text never throws") {
   // Every prefix of a case, and every case with one byte replaced.
   const std::string text =
       "time: {duration: 2 s, step: auto}\nwalls:\n  a: {plane: {point: [0, 0, 1]}, material: 'x'}\n";
@@ -83,7 +83,7 @@ TEST_CASE("The time to read keys grows with their number, not with its square") 
     }
     return quickest;
   };
-  // A twentieth of the keys; squares would take 400 times as long.
+  // The part has a twentieth of the keys: if the time grew with the square, the whole would take 400 times as long.
   CHECK(seconds(text) < 80 * seconds(text.substr(0, text.find("key5000:"))));
   CHECK(gyro::parse_yaml(text + "key7: 2\n").problems.size() == 1);
 }
