@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;  ///< unpacked, of all entries: beyond any real FMU
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;  ///< of all unpacked entries; no real FMU is larger
 constexpr std::int64_t max_entries = 100'000;
 
-/// Why an entry must not be unpacked; empty when it may.
+/// Reason why an entry must not be unpacked; empty if it may be unpacked.
 std::string danger_of(const std::string& name, bool link) {
   if (link) return "is a link";
   if (name.empty() || name.front() == '/') return "has an absolute path";
@@ -71,9 +71,9 @@ Archive::Archive(const fs::path& file) : handle_(std::make_unique<Handle>()) {
     if (zip_stat_index(handle_->zip, entry, 0, &stat) != 0) handle_->refuse("is damaged");
     const std::string name = stat.name;
     if (const std::string danger = danger_of(name, is_link(handle_->zip, entry)); !danger.empty())
-      handle_->refuse("entry \"" + name + "\" " + danger + "; plain files below the archive's folder are needed");
+      handle_->refuse("entry \"" + name + "\" " + danger + "; only plain files inside the FMU's folder are allowed");
     if (!seen.insert(fs::path(name).lexically_normal().string()).second)
-      handle_->refuse("entry \"" + name + "\" is there twice");
+      handle_->refuse("entry \"" + name + "\" occurs twice");
     if (stat.encryption_method != ZIP_EM_NONE) handle_->refuse("entry \"" + name + "\" is encrypted");
     bytes += stat.size;
     if (stat.size > max_bytes || bytes > max_bytes) handle_->refuse("is larger than 1 GiB when unpacked");
@@ -96,7 +96,7 @@ std::string Archive::read(const std::string& name) const {
   if (entry == nullptr) handle_->refuse(name + " cannot be read: " + zip_strerror(handle_->zip));
   std::string content(stat.size, '\0');
   const zip_int64_t got = zip_fread(entry, content.data(), content.size());
-  char beyond = 0;  // what lies behind the size that was promised; reading to the end also compares the checksum
+  char beyond = 0;  // a byte beyond the declared size is an error; reading to the end also checks the checksum
   const bool whole = got == static_cast<zip_int64_t>(content.size()) && zip_fread(entry, &beyond, 1) == 0;
   if (zip_fclose(entry) != 0 || !whole) handle_->refuse(name + " is damaged");
   return content;
@@ -112,14 +112,14 @@ void Archive::unpack(const std::string& prefix, const fs::path& folder) const {
     std::ofstream stream(target, std::ios::binary);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));
     stream.close();
-    if (!stream) throw OutputError(target.string() + ": cannot be written (TMPDIR says where FMUs are unpacked)");
+    if (!stream) throw OutputError(target.string() + ": cannot be written (FMUs are unpacked below TMPDIR)");
   }
 }
 
 TemporaryFolder::TemporaryFolder() {
   const char* where = std::getenv("TMPDIR");
   std::string name = (fs::path(where != nullptr && *where != '\0' ? where : "/tmp") / "gyrosim-fmu-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw OutputError(name + ": a folder cannot be made there");
+  if (mkdtemp(name.data()) == nullptr) throw OutputError(name + ": this folder cannot be made");
   path_ = name;
 }
 
@@ -133,7 +133,7 @@ void write_archive(const fs::path& file, const std::vector<std::pair<std::string
   int code = 0;
   zip_t* zip = zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
   if (zip == nullptr) fail("the file cannot be opened");
-  constexpr std::time_t first_of_january_1980 = 315532800;  // the earliest a zip can say: no clock in the file
+  constexpr std::time_t first_of_january_1980 = 315532800;  // the earliest time of a zip; used for all entries
   for (const auto& [name, content] : entries) {
     zip_source_t* source = zip_source_buffer(zip, content.data(), content.size(), 0);
     const zip_int64_t entry = source == nullptr ? -1 : zip_file_add(zip, name.c_str(), source, ZIP_FL_ENC_UTF_8);

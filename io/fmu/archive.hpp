@@ -9,8 +9,8 @@
 
 namespace gyro {
 
-/// A zip archive that is read. Its entries were checked when it was opened: no absolute paths, no `..`, no backslashes,
-/// no links, nothing twice, nothing encrypted, and no more than 1 GiB in all.
+/// A zip archive, opened for reading. Its entries are checked when it is opened: absolute paths, `..`, backslashes,
+/// links, duplicates, encrypted entries and more than 1 GiB in total are refused.
 class Archive {
  public:
   /// @throws BadInput for a file that is not such an archive
@@ -19,11 +19,11 @@ class Archive {
   Archive(Archive&&) noexcept;
   Archive& operator=(Archive&&) noexcept;
 
-  const std::vector<std::string>& names() const { return names_; }  ///< of files
+  const std::vector<std::string>& names() const { return names_; }  ///< names of the files
   bool contains(const std::string& name) const;
-  /// @throws BadInput when it does not exist or is damaged
+  /// Content of a file. @throws BadInput if it does not exist or is damaged
   std::string read(const std::string& name) const;
-  /// Writes the files whose names begin with a prefix below a folder. @throws BadInput, OutputError
+  /// Writes the files whose names begin with a prefix into a folder, with their paths. @throws BadInput, OutputError
   void unpack(const std::string& prefix, const std::filesystem::path& folder) const;
 
  private:
@@ -32,7 +32,7 @@ class Archive {
   std::vector<std::string> names_;
 };
 
-/// A folder of its own for as long as this lives.
+/// A new folder that exists as long as this object.
 class TemporaryFolder {
  public:
   /// Below TMPDIR, or /tmp. @throws OutputError
@@ -46,7 +46,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Writes a zip archive; the same entries give the same bytes. @throws OutputError
+/// Writes a zip archive of entries (name, content). The same entries give the same bytes. @throws OutputError
 void write_archive(const std::filesystem::path& file, const std::vector<std::pair<std::string, std::string>>& entries);
 
 }  // namespace gyro

@@ -32,7 +32,7 @@ constexpr std::array<FmuQuantityInfo, fmu_quantities> quantities{{
     {"tripped", {}},
 }};
 
-/// Units that need no definition to be understood.
+/// SI units that are known without a definition in the FMU.
 constexpr std::string_view plain_si[] = {"N.m", "Nm", "N m", "N", "rad", "1", "rad/s", "1/s", "N.m.s", "W", "J"};
 
 std::string list_of(const std::vector<std::string_view>& names) {
@@ -44,7 +44,7 @@ std::string list_of(const std::vector<std::string_view>& names) {
   return text + (names.size() > maximum ? ", and " + std::to_string(names.size() - maximum) + " more" : "");
 }
 
-/// Names of variables that could replace an unknown name.
+/// Names of the variables that could be used in place of an unknown name.
 /// @param type  empty: any
 std::vector<std::string_view> names_of(const ModelDescription& model, std::string_view causality,
                                        std::string_view type) {
@@ -59,7 +59,7 @@ std::string hint(std::string_view wanted, const std::vector<std::string_view>& n
   return meant.empty() ? "" : "did you mean \"" + std::string(meant) + "\"? ";
 }
 
-/// Factor and offset to SI.
+/// Sets factor and offset of a link for the conversion to SI. @throws BadInput for another or an unknown unit
 void take_unit(FmuLink& link, const FmuVariable& variable, const FmuQuantityInfo& info) {
   if (variable.unit.empty()) return;  // no unit declared: SI
   if (!variable.unit_known) {

@@ -11,7 +11,8 @@
 
 namespace gyro {
 
-/// A drivetrain FMU as a case asks for it: described and connected, but none of its native code has run.
+/// A drivetrain FMU as a case requests it: its description is read and its variables are connected, but none of its
+/// native code has run.
 struct DriveFmu {
   std::filesystem::path file;  ///< absolute
   std::string model_name, generation_tool, guid, identifier;
@@ -21,7 +22,7 @@ struct DriveFmu {
   std::vector<FmuStart> starts;
 };
 
-/// A quantity's name in cases, and what its unit must be.
+/// The name of a quantity in cases, and the dimension of its unit.
 struct FmuQuantityInfo {
   std::string_view name;
   std::array<int, 7> exponents;  ///< of kg, m, s, A, K, mol, cd
@@ -34,21 +35,21 @@ const FmuQuantityInfo& info_of(FmuQuantity quantity);
 ModelDescription read_fmu(const std::filesystem::path& file);
 
 /// The variable of an FMU for a quantity. @param wanted  its name; a leading minus reverses its sign
-/// @throws BadInput when it does not exist (the message lists those that do), has another type or causality, or another
-/// unit
+/// @throws BadInput if it does not exist (the message lists the existing ones), or has a wrong type, causality or unit
 FmuLink link_to(const ModelDescription& model, FmuQuantity quantity, std::string wanted);
 
-/// Where an exported drivetrain remembers its events: variables events, event_time[1], event_kind[1] and so on.
+/// The variables in which an exported drivetrain stores its events: events, event_time[1], event_kind[1] and so on.
+/// Empty if the FMU does not have them.
 std::optional<FmuHistory> history_of(const ModelDescription& model);
 
-/// An FMU as described, not yet linked. @param file  absolute
+/// An FMU with its description, whose variables are not connected yet. @param file  absolute
 DriveFmu unconnected(const std::filesystem::path& file, const ModelDescription& model);
 
-/// A parameter and its start value. @throws BadInput when it does not exist or cannot have this value
+/// A parameter and its start value. @throws BadInput if it does not exist or cannot have this value
 FmuStart start_of(const ModelDescription& model, const std::string& name, double value);
 
-/// Unpacks an FMU, loads its library, which is native code, in a process of its own, and initialises it.
-/// @param patience  how long one call may take
+/// Unpacks an FMU, loads its library, which is native code, in a separate process, and initialises it.
+/// @param patience  longest time that one call may take
 /// @throws BadInput, OutputError
 std::unique_ptr<Drive> open_drive(const DriveFmu& fmu,
                                   std::chrono::milliseconds patience = FmuProcess::default_patience);

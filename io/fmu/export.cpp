@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* identifier = "gyro_drivetrain";
 
-/// In the form of a GUID, from all that makes the FMU behave as it does.
+/// A GUID that is computed from everything that determines the behaviour of the FMU.
 std::string guid_of(const std::string& content) {
   std::string text = digest_of(content);
   for (const std::size_t dash : {20, 16, 12, 8}) text.insert(dash, "-");
@@ -27,7 +27,7 @@ std::string library_of(const std::filesystem::path& file) {
   try {
     return read_file(file);
   } catch (const UnreadableFile& unreadable) {
-    throw OutputError(std::string(unreadable.what()) + " (it is built beside the program and belongs into every FMU)");
+    throw OutputError(std::string(unreadable.what()) + " (it is built with the program and is a part of every FMU)");
   }
 }
 

@@ -30,7 +30,7 @@ std::map<std::string, FmuUnit> units_of(pugi::xml_node root) {
   std::map<std::string, FmuUnit> units;
   for (const pugi::xml_node unit : root.child("UnitDefinitions").children("Unit")) {
     const pugi::xml_node base = unit.child("BaseUnit");
-    if (!base) continue;  // a name without meaning
+    if (!base) continue;  // a name without a definition
     FmuUnit si{.factor = base.attribute("factor").as_double(1), .offset = base.attribute("offset").as_double(0)};
     constexpr const char* names[] = {"kg", "m", "s", "A", "K", "mol", "cd"};
     for (std::size_t k = 0; k < si.exponents.size(); ++k) si.exponents[k] = base.attribute(names[k]).as_int(0);
@@ -39,7 +39,7 @@ std::map<std::string, FmuUnit> units_of(pugi::xml_node root) {
   return units;
 }
 
-/// Units that declared types give to variables of those types.
+/// For each declared type, the unit of its variables.
 std::map<std::string, std::string> type_units_of(pugi::xml_node root) {
   std::map<std::string, std::string> units;
   for (const pugi::xml_node type : root.child("TypeDefinitions").children("SimpleType"))

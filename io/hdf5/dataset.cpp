@@ -9,7 +9,7 @@ namespace {
 
 struct Extent {
   int rank;
-  std::array<hsize_t, 2> size;  ///< rows, columns (1 for a one-dimensional dataset)
+  std::array<hsize_t, 2> size;  ///< rows and columns; a one-dimensional dataset has 1 column
 };
 
 Extent extent_of(const Handle& dataset, const std::string& where) {

@@ -10,7 +10,7 @@
 namespace gyro::hdf5 {
 namespace {
 
-/// Newest format, which appending needs; file systems without locks are allowed.
+/// Properties of file access: the newest format, which appending needs; file systems without locks are allowed.
 Handle access_properties(const std::string& path) {
   Handle list = own(H5Pcreate(H5P_FILE_ACCESS), path, "prepare");
   check(H5Pset_libver_bounds(list.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), path, "prepare");
@@ -18,21 +18,21 @@ Handle access_properties(const std::string& path) {
   return list;
 }
 
-/// Names are UTF-8.
+/// Properties of links: names are UTF-8.
 Handle link_properties(const std::string& where) {
   Handle list = own(H5Pcreate(H5P_LINK_CREATE), where, "prepare");
   check(H5Pset_char_encoding(list.get(), H5T_CSET_UTF8), where, "prepare");
   return list;
 }
 
-/// Without times of creation, so that the same data give the same file.
+/// Properties of creation: no times are stored, so that the same data give the same file.
 Handle creation_properties(hid_t what, const std::string& where) {
   Handle list = own(H5Pcreate(what), where, "prepare");
   check(H5Pset_obj_track_times(list.get(), false), where, "prepare");
   return list;
 }
 
-/// Makes the groups on the way that are missing. The library would, too, but with times.
+/// Creates the missing groups of a path. The library could do this, but it would store times.
 void make_parents(const Handle& file, const std::string& name, const std::string& where) {
   for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1)) {
     const std::string group = name.substr(0, slash);
@@ -74,12 +74,12 @@ File File::create(const std::filesystem::path& path) {
 File File::open(const std::filesystem::path& path) {
   silence_library();
   const Handle access = access_properties(path.string());
-  // A writer may be between two parts of a change: the library looks again, 100 times unless told. What is damaged is
-  // refused after 10 looks.
+  // If metadata are inconsistent, a writer may be in the middle of a change. Therefore the library reads them again, up
+  // to 100 times by default. Here it refuses them as damaged after 10 attempts.
   check(H5Pset_metadata_read_attempts(access.get(), 10), path.string(), "prepare");
   const hid_t live = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
   if (live >= 0) return {Handle(live), path.string()};
-  // Files of older formats, which others may have written, know no live reading.
+  // Files of older formats, which other programs may have written, cannot be read while they are written.
   return {own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path.string(), "open the file"), path.string()};
 }
 
@@ -92,14 +92,14 @@ File File::open_closed(const std::filesystem::path& path) {
 File File::modify(const std::filesystem::path& path, const std::filesystem::path& name) {
   const std::string shown = name.empty() ? path.string() : name.string();
   silence_library();
-  // What `h5clear -s --increment=0` does: a writer that was killed has left the mark "open for
-  // writing" and an outdated end of file behind.
+  // A writer that was killed leaves the mark "open for writing" and an outdated end of file. This does what
+  // `h5clear -s --increment=0` does.
   const Handle access = access_properties(shown);
   const hbool_t yes = true;
   check(H5Pset(access.get(), "clear_status_flags", &yes), shown, "prepare");
   check(H5Pset(access.get(), "skip_eof_check", &yes), shown, "prepare");
   File file(own(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), shown, "open the file"), shown);
-  // A file that ends before what it says to hold was cut off.
+  // A file that is shorter than the length stored in it was cut off.
   haddr_t end = 0;
   check(H5Fget_eoa(file.handle_.get(), &end), shown, "read the length");
   if (std::filesystem::file_size(path) < end) throw OutputError(shown + ": the file is cut off");
@@ -154,7 +154,7 @@ void File::write_strings(std::string_view name, std::span<const std::string> val
 
 bool File::contains(std::string_view name) const {
   silence_library();
-  // The library asks for every group on the way by itself.
+  // The library can only test one part of the path after the other.
   for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
     if (H5Lexists(handle_.get(), std::string(name.substr(0, end)).c_str(), H5P_DEFAULT) <= 0) return false;
     if (end == std::string_view::npos) return true;

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-/// Thin owner types over the serial HDF5 C API. Every failure throws gyro::OutputError with the
-/// path and the reason; every handle closes itself.
+/// Thin owner types for the serial HDF5 C API. Every failure throws gyro::OutputError with the path and the reason.
+/// Every handle is closed by its owner.
 namespace gyro::hdf5 {
 
-/// An HDF5 identifier that is released when its owner goes.
+/// An HDF5 identifier that is released with this object.
 class Handle {
  public:
   explicit Handle(std::int64_t id = -1) : id_(id) {}
@@ -25,18 +25,17 @@ class Handle {
   }
   ~Handle();
   std::int64_t get() const { return id_; }
-  /// Releases it now. @returns false when the library reports a failure
+  /// Releases the identifier now. @returns false if the library reports a failure
   bool close();
 
  private:
   std::int64_t id_;
 };
 
-/// How numbers lie in the file. In memory rows are doubles, which hold all of these exactly
-/// (int64 up to 2^53).
+/// Type of the numbers in a file. Rows in memory are doubles, which hold all of these exactly (int64 up to 2^53).
 enum class Number { float32, float64, uint8, int32, uint32, int64 };
 
-/// The same type in memory.
+/// The type of numbers in memory.
 template <class T>
 constexpr Number number_of() {
   static_assert(std::is_arithmetic_v<T>);
@@ -46,23 +45,23 @@ constexpr Number number_of() {
   return std::is_signed_v<T> ? Number::int32 : Number::uint32;
 }
 
-/// A table of numbers, rows x columns; one column makes it one-dimensional.
+/// A table of numbers, rows x columns. A table with one column is one-dimensional.
 class Dataset {
  public:
   Dataset(Handle handle, std::string where);
   std::int64_t rows() const;
   std::int64_t columns() const;
-  /// Adds rows at the end. @param values row after row; a whole number of rows
+  /// Adds rows at the end. @param values  row after row; a whole number of rows
   void append(std::span<const double> values) { append(values.data(), values.size(), Number::float64); }
-  /// The same for numbers of any type. @param count of numbers
+  /// The same for numbers of any type. @param count  of numbers
   void append(const void* values, std::size_t count, Number in_memory);
-  /// Drops the rows from `rows` on.
+  /// Removes all rows after the first `rows`.
   void truncate(std::int64_t rows);
-  /// Hands everything appended to the operating system.
+  /// Passes everything that was appended to the operating system.
   void flush();
-  /// How the numbers lie in the file.
+  /// Type of the numbers in the file.
   Number number() const;
-  /// All rows, row after row, as doubles or as other numbers.
+  /// All numbers, row after row, converted to T.
   template <class T = double>
   std::vector<T> read() const {
     std::vector<T> values(static_cast<std::size_t>(rows() * columns()));
@@ -79,32 +78,32 @@ class Dataset {
   std::string where_;  ///< file and name, for messages
 };
 
-/// Form of an extendible dataset.
+/// Shape and storage of an extendible dataset.
 struct Layout {
   Number number = Number::float64;
   std::int64_t columns = 1;
   std::int64_t chunk_rows = 1024;
-  int deflate = 0;  ///< 0: none. Only for data appended in whole chunks: a compressed chunk that is
-                    ///< rewritten moves, which bloats the file and breaks it if the writer is killed
+  int deflate = 0;  ///< level of compression, 0: none. Only for data that are appended in whole chunks: a compressed
+                    ///< chunk that is rewritten moves, which bloats the file and breaks it if the writer is killed
 };
 
-/// One HDF5 file. Names are paths inside it ("/series/time"); missing groups are made on the way.
+/// An HDF5 file. Names are paths inside it ("/series/time"); missing groups of a path are created.
 class File {
  public:
-  /// Makes a new file, or empties the one there, in the newest format of the library.
+  /// Creates a file in the newest format of the library; an existing file is emptied.
   static File create(const std::filesystem::path& path);
-  /// Opens for reading, also a file that is being written or whose writer was killed.
+  /// Opens a file for reading. It may be a file that is being written, or one whose writer was killed.
   static File open(const std::filesystem::path& path);
-  /// Opens for reading a file that nobody writes: what is damaged is refused at once, where open() would try again
-  /// and again, in case a writer had just not finished.
+  /// Opens for reading a file that nobody is writing. A damaged file is refused at once, while open() would read it
+  /// again several times in case a writer had not finished.
   static File open_closed(const std::filesystem::path& path);
-  /// Opens a closed file, or one whose writer was killed, to change it.
-  /// @param name  for messages, of a copy that is going to take the place of another file; empty: the path
+  /// Opens a file for changes. It may be a closed file, or one whose writer was killed.
+  /// @param name  path for messages, if `path` is a copy that will replace the file of this name; empty: `path`
   static File modify(const std::filesystem::path& path, const std::filesystem::path& name = {});
 
   void create_group(std::string_view name);
   Dataset create_dataset(std::string_view name, const Layout& layout);
-  /// A dataset that will not grow, written at once.
+  /// Writes a dataset that will not grow.
   void write_numbers(std::string_view name, std::span<const double> values, Number number = Number::float64);
   void write_strings(std::string_view name, std::span<const std::string> values);
 
@@ -114,7 +113,7 @@ class File {
   Dataset dataset(std::string_view name) const;
   std::vector<std::string> read_strings(std::string_view name) const;
 
-  /// Attributes of a group or dataset; one that is there is replaced.
+  /// Sets an attribute of a group or dataset; an existing one is replaced.
   void set_attribute(std::string_view object, std::string_view name, std::string_view value);
   void set_attribute(std::string_view object, std::string_view name, double value);
   void set_attribute(std::string_view object, std::string_view name, std::uint64_t value);
@@ -122,11 +121,11 @@ class File {
   double number_attribute(std::string_view object, std::string_view name) const;
   std::uint64_t integer_attribute(std::string_view object, std::string_view name) const;
 
-  /// From here on only rows are added (single writer, multiple readers): the file can be read at
-  /// any moment and stays readable if this process is killed.
+  /// Starts the mode in which only rows are added (single writer, multiple readers). In this mode the file can be read
+  /// at any time, and it remains readable if this process is killed.
   void start_appending();
   void flush();
-  /// Closes the file and reports what could not be written. Datasets must be gone by then.
+  /// Closes the file. All datasets must have been released before. @throws OutputError if not everything was written
   void close();
 
  private:

@@ -28,7 +28,7 @@ std::string innermost_reason() {
 }  // namespace
 
 void silence_library() {
-  // Nothing at exit either: after a full disk the library would try to write again and complain.
+  // The library must not do anything at exit either: after a full disk it would try to write again and print errors.
   [[maybe_unused]] static const herr_t no_exit_work = H5dont_atexit();
   [[maybe_unused]] thread_local const herr_t silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

@@ -6,25 +6,25 @@
 #include <hdf5.h>
 #include <string>
 
-// For hdf5*.cpp only: the one place where the C API's types meet ours.
+// For the files in io/hdf5 only: connects the types of the C API with ours.
 namespace gyro::hdf5 {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
-/// Keeps the library from printing its error stack; the setting belongs to the calling thread.
+/// Prevents the library from printing its error stack. The setting applies to the calling thread.
 void silence_library();
 
 /// Throws OutputError "WHERE: cannot WHAT: reason" with the library's innermost reason.
 [[noreturn]] void fail(const std::string& where, const std::string& what);
 
-/// Passes an identifier or status on. @throws OutputError when it is negative
+/// Returns an identifier or status. @throws OutputError if it is negative
 template <class Status>
 Status check(Status status, const std::string& where, const char* what) {
   if (status < 0) fail(where, what);
   return status;
 }
 
-/// As check, and takes ownership.
+/// Checks an identifier like check(), and takes ownership of it.
 inline Handle own(hid_t id, const std::string& where, const char* what) {
   return Handle(check(id, where, what));
 }
@@ -36,7 +36,7 @@ hid_t memory_type(Number number);
 /// Type of strings in our files: UTF-8, variable length.
 Handle string_type();
 
-/// Reads an attribute that string_type() describes. @param attribute open
+/// Reads an attribute of the type string_type(). @param attribute  open
 std::string read_string(const Handle& attribute, const std::string& where);
 
 }  // namespace gyro::hdf5

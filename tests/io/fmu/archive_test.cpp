@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Archives that would write where they must not are refused as a whole.
+// Archives are read and written, and an archive that could write outside its folder is refused as a whole.
 #include "io/fmu/archive.hpp"
 #include "core/base/errors.hpp"
 #include "tests/catch.hpp"
@@ -23,7 +23,7 @@ std::string bytes_of(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("An archive gives back what was written, and the same entries give the same bytes") {
+TEST_CASE("An archive reads back as it was written, and the same entries give the same bytes") {
   const ScratchDirectory place;
   const std::string all_bytes = [] {
     std::string text(70'000, 'x');
@@ -44,7 +44,7 @@ TEST_CASE("An archive gives back what was written, and the same entries give the
   CHECK(!fs::exists(folder.path() / "one.txt"));
 }
 
-TEST_CASE("No entry may lead out of the folder that an archive is unpacked to") {
+TEST_CASE("An archive with an entry outside its own folder is refused") {
   const ScratchDirectory place;
   const fs::path file = place.path() / "evil.zip";
   const auto [name, reason] = GENERATE(table<std::string, std::string>({
@@ -55,11 +55,11 @@ TEST_CASE("No entry may lead out of the folder that an archive is unpacked to") 
       {"resources\\..\\outside", "backslash"},
   }));
   write_archive(file, {{"modelDescription.xml", "x"}, {name, "y"}});
-  CHECK_THROWS_WITH(Archive(file), Contains(name) && Contains(reason) && Contains("; plain files"));
+  CHECK_THROWS_WITH(Archive(file), Contains(name) && Contains(reason) && Contains("; only plain files"));
   CHECK_THROWS_AS(Archive(file), BadInput);
 }
 
-TEST_CASE("Links, things that are there twice, and what is no archive are refused") {
+TEST_CASE("Archives with links, duplicates or damage, and files that are not archives, are refused") {
   const ScratchDirectory place;
   const fs::path file = place.path() / "bad.fmu";
   SECTION("link") {
@@ -73,7 +73,7 @@ TEST_CASE("Links, things that are there twice, and what is no archive are refuse
   }
   SECTION("twice") {
     write_archive(file, {{"a/b", "1"}, {"a/./b", "2"}});
-    CHECK_THROWS_WITH(Archive(file), Contains("is there twice"));
+    CHECK_THROWS_WITH(Archive(file), Contains("occurs twice"));
   }
   SECTION("text") {
     std::ofstream(file) << "no archive at all";

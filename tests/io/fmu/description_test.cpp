@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which FMUs can be used, and how their variables are found.
+// Descriptions of FMUs: which FMUs are accepted, and how their variables are found.
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
 #include "tests/catch.hpp"
@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 
 }  // namespace
 
-TEST_CASE("A description is read with units of variables and of their types") {
+TEST_CASE("A description is read with the units of variables and of their declared types") {
   const ScratchDirectory place;
   const auto file = place.path() / "foreign.fmu";
   write_foreign_fmu(file);
@@ -32,7 +32,7 @@ TEST_CASE("A description is read with units of variables and of their types") {
   CHECK(start_of(model, "sacks", 2).type == VariableType::integer);
 }
 
-TEST_CASE("What is no FMI 2.0 co-simulation for this platform is refused with the reason") {
+TEST_CASE("A file that is not an FMI 2.0 co-simulation FMU for this platform is refused with the reason") {
   const auto [part, by, reason] = GENERATE(table<std::string, std::string, std::string>({
       {"fmiVersion=\"2.0\"", "fmiVersion=\"3.0\"", "is of FMI 3.0; FMI 2.0 is needed"},
       {"CoSimulation modelIdentifier", "ModelExchange modelIdentifier", "no CoSimulation"},
@@ -51,14 +51,14 @@ TEST_CASE("What is no FMI 2.0 co-simulation for this platform is refused with th
   CHECK_THROWS_AS(read_fmu(file), BadInput);
 }
 
-TEST_CASE("Binaries for other platforms only are named") {
+TEST_CASE("An FMU with binaries for other platforms only is refused and the platforms are named") {
   const ScratchDirectory place;
   const auto file = place.path() / "foreign.fmu";
   write_foreign_fmu(file, foreign_description(), "binaries/win64/flywheel.dll");
   CHECK_THROWS_WITH(read_fmu(file), Contains("but binaries for win64; an FMU with binaries for linux64"));
 }
 
-TEST_CASE("Variables that are not there, of another kind or in another unit are refused with those that are") {
+TEST_CASE("Missing variables and those of a wrong kind or unit are refused with a list of possible ones") {
   const ModelDescription model = read_model_description(foreign_description());
   const auto problem = [&](FmuQuantity quantity, const char* name) {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exported drivetrain, driven by our own master, against the built-in one.
+// Compares the exported drivetrain, run by our own master, with the built-in drivetrain.
 #include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
 #include "io/fmu/drive_fmu.hpp"
@@ -17,7 +17,8 @@ using namespace gyro;
 using namespace gyro::fixtures;
 using Catch::Matchers::Contains;
 
-/// Everything a drive can have: two cages, spin, bearings, spring, supply that sags, relays that act.
+/// A drive with all optional parts: two cages, mantle spin, bearings, spring, a sagging supply voltage, relays that
+/// trip.
 DrivetrainParameters full_machine() {
   DrivetrainParameters p = crusher_62_75(nema_motor(NemaDesign::c, 450e3, 600 * rpm));
   p.losses = {60e3, 0.02, 300};
@@ -39,7 +40,7 @@ std::vector<DrivetrainParameters> machines() {
   return {crusher_62_75(paper_droop()), from_rest, curve, constant, full_machine()};
 }
 
-/// An exported machine, connected by the names of its variables.
+/// Exports a machine as an FMU, and connects it by the names of its variables.
 DriveFmu exported(const DrivetrainParameters& parameters, const std::filesystem::path& file) {
   export_drive({.drive = parameters, .title = "A <machine> & \"more\"", .tool = "test", .library = GYRO_DRIVETRAIN_FMU},
                file);
@@ -52,7 +53,7 @@ DriveFmu exported(const DrivetrainParameters& parameters, const std::filesystem:
   return fmu;
 }
 
-/// Rock that grips and lets go, and crawls against the drive now and then.
+/// Load of a rock whose torque oscillates and is very high for a short time every 0.4 s.
 MantleLoad load_at(double time, const MantlePath& path, double length) {
   MantleLoad load;
   load.resisting_torque = 2e4 * (1 + std::sin(60 * time)) + (std::fmod(time, 0.4) > 0.35 ? 1.2e5 : 0);
@@ -62,7 +63,7 @@ MantleLoad load_at(double time, const MantlePath& path, double length) {
   return load;
 }
 
-/// A second of coupled windows; calls f(built_in, fmu) after each.
+/// Runs both drivetrains through the windows `first` to `last` - 1 of 0.5 ms, and calls f(built_in, fmu) after each.
 template <class F>
 void run_both(Drivetrain& built_in, Drivetrain& fmu, std::int64_t first, std::int64_t last, F&& f) {
   for (std::int64_t k = first; k < last; ++k) {
@@ -77,7 +78,7 @@ void run_both(Drivetrain& built_in, Drivetrain& fmu, std::int64_t first, std::in
 
 void check_equal(const Drivetrain& a, const Drivetrain& b) {
   const DrivetrainState &s = a.state(), &t = b.state();
-  constexpr double close = 1e-11;  // the FMU gives sums, whose differences have their rounding
+  constexpr double close = 1e-11;  // the FMU outputs sums, whose differences contain their rounding errors
   REQUIRE(t.speed == Approx(s.speed).epsilon(close).margin(close));
   REQUIRE(t.angle == Approx(s.angle).epsilon(close).margin(close));
   REQUIRE(t.wall_angle == Approx(s.wall_angle).epsilon(close).margin(close));
@@ -92,7 +93,7 @@ void check_equal(const Drivetrain& a, const Drivetrain& b) {
 
 }  // namespace
 
-TEST_CASE("Parameters of every machine survive the way through text with all bits") {
+TEST_CASE("The parameters of every machine are written as text and read back to the bit") {
   for (const DrivetrainParameters& machine : machines()) {
     const std::string text = drive_text(machine);
     const DrivetrainParameters back = drive_from_text(text);
@@ -105,7 +106,7 @@ TEST_CASE("Parameters of every machine survive the way through text with all bit
   CHECK_THROWS_WITH(drive_from_text(text.replace(text.find("gear_ratio"), 10, "gear_ratia")), Contains("gear_ratia"));
 }
 
-TEST_CASE("The exported FMU in the loop is the built-in drivetrain over a second, whatever the machine") {
+TEST_CASE("The exported FMU of every machine agrees with the built-in drivetrain for one second") {
   const ScratchDirectory place;
   int number = 0;
   for (const DrivetrainParameters& machine : machines()) {
@@ -121,7 +122,7 @@ TEST_CASE("The exported FMU in the loop is the built-in drivetrain over a second
   }
 }
 
-TEST_CASE("Relays of an exported machine act and are told of") {
+TEST_CASE("The relays of an exported machine act and are reported") {
   const ScratchDirectory place;
   Drivetrain built_in(full_machine()), foreign(open_drive(exported(full_machine(), place.path() / "drive.fmu")), {});
   run_both(built_in, foreign, 0, 2000, [](const Drivetrain&, const Drivetrain&) {});
@@ -138,7 +139,7 @@ TEST_CASE("Relays of an exported machine act and are told of") {
   CHECK(foreign.stall_time().has_value() == built_in.stall_time().has_value());
 }
 
-TEST_CASE("More events in one step than an exported machine remembers are counted") {
+TEST_CASE("If one step has more events than an exported machine stores, their number is reported") {
   const ScratchDirectory place;
   DrivetrainParameters machine = crusher_62_75(paper_droop());
   machine.protection = {.instantaneous_ratio = 0.05, .rated_torque = 1e4, .restart_delay = 1e-3, .restarts = 20};
@@ -158,7 +159,7 @@ TEST_CASE("More events in one step than an exported machine remembers are counte
   CHECK(said);
 }
 
-TEST_CASE("An FMU goes on from its saved state in a new instance with the same bits") {
+TEST_CASE("A new instance of an FMU continues from the saved state with the same bits") {
   const ScratchDirectory place;
   const DriveFmu fmu = exported(full_machine(), place.path() / "drive.fmu");
   Drivetrain whole(open_drive(fmu), {}), first(open_drive(fmu), {}), second(open_drive(fmu), {});
@@ -174,7 +175,7 @@ TEST_CASE("An FMU goes on from its saved state in a new instance with the same b
   CHECK_THROWS_AS(second.restore(first.state(), nonsense), BadInput);
 }
 
-TEST_CASE("A foreign master changes a parameter of an exported machine, and nonsense is refused") {
+TEST_CASE("A master can change parameters of an exported machine, and invalid values are refused") {
   const ScratchDirectory place;
   const auto file = place.path() / "drive.fmu";
   DrivetrainParameters heavier = full_machine();
@@ -190,7 +191,7 @@ TEST_CASE("A foreign master changes a parameter of an exported machine, and nons
   CHECK_THROWS_WITH(open_drive(fmu), Contains("gear_ratio is not > 0") && Contains("drive.fmu"));
 }
 
-TEST_CASE("An FMU refuses another GUID, and the same case gives the same file") {
+TEST_CASE("An FMU refuses a wrong GUID, and the same machine gives the same GUID") {
   const ScratchDirectory place;
   DriveFmu fmu = exported(machines()[0], place.path() / "a.fmu");
   const DriveFmu again = exported(machines()[0], place.path() / "b.fmu"),

@@ -40,12 +40,12 @@ inline std::string foreign_description() {
 )";
 }
 
-/// The same with a part replaced; the part must be there.
+/// A text with a part replaced; the text must contain the part.
 inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
   return text.replace(text.find(part), part.size(), by);
 }
 
-/// Packs the foreign FMU.
+/// Writes the foreign FMU. @param library  name of the library in the archive  @param binary  file with its content
 inline void write_foreign_fmu(const std::filesystem::path& file, const std::string& description = foreign_description(),
                               const std::string& library = "binaries/linux64/flywheel.so",
                               const char* binary = GYRO_FOREIGN_FMU) {

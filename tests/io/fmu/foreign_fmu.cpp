@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A drivetrain FMU as another program would make it: names of its own, speed in rpm, explicit Euler, no saved state.
-//   J dw/dt = stall_torque (1 - w / w0) - T_load, without the motor from trip_at on
+// A drivetrain FMU as another program could make it: other names, speed in rpm, explicit Euler, no saved state.
+//   J dw/dt = stall_torque (1 - w / w0) - T_load; from trip_at on without the torque of the motor
 #include "mbd/fmi/fmi2.hpp"
 
 #include <cfenv>
@@ -34,7 +34,7 @@ struct Instance {
   fmi2CallbackFunctions callbacks{};
 };
 
-/// What code of others may do to the program that calls it.
+/// What the code of an FMU may do to the program that calls it.
 enum class Misdeed { exit = 1, exception, crash, hang, round };
 
 void misbehave(Misdeed what) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A drivetrain of another program in the loop: no saved state, sums left out, units of its own, failures.
+// A drivetrain FMU of another program in the loop: without saved state and without sums, in other units, and its
+// failures.
 #include "tests/io/fmu/foreign.hpp"
 #include "app/verify/fixtures/drives.hpp"
 #include "core/base/errors.hpp"
@@ -55,30 +56,30 @@ TEST_CASE("A foreign drivetrain without saved state follows the built-in one wit
     exchange(built_in, window, rock);
     exchange(other, window, rock);
     REQUIRE(other.state().speed == Approx(built_in.state().speed).epsilon(1e-4));  // Euler's error at 50 us
-    // It leads with its last acceleration, of which it has none in the first window.
+    // The wall is predicted with the last acceleration, which is unknown in the first window.
     if (k > 0) REQUIRE(std::abs(other.state().wall_angle - other.state().angle) < 2e-6);
     slowest = std::min(slowest, other.state().speed);
   }
   CHECK(slowest < 400 * rpm);
   CHECK(other.state().angle == Approx(built_in.state().angle).epsilon(1e-4));
-  CHECK(std::isnan(other.means().power_residual));  // it does not say what it takes
+  CHECK(std::isnan(other.means().power_residual));  // the FMU does not output its work
   CHECK(other.window_divisor() == 1);
   CHECK(other.knows().motor_torque);
   CHECK(!other.knows().motor_power);
   CHECK_THAT(other.unsaveable(), Contains("cannot save its state") && Contains("canGetAndSetFMUstate is false"));
 }
 
-TEST_CASE("A foreign drivetrain that gives the motor's angle but not its speed has no speed at a moment") {
+TEST_CASE("A foreign drivetrain with an output for the motor's angle but not for its speed has no motor speed") {
   FmuLinks links{};
   links[static_cast<std::size_t>(FmuQuantity::motor_angle)] = FmuLink{};
   links[static_cast<std::size_t>(FmuQuantity::motor_torque)] = FmuLink{};
   CHECK(!knowledge_of(links).motor_speed);
-  CHECK(knowledge_of(links).motor_power);  // torque x gain of angle
+  CHECK(knowledge_of(links).motor_power);  // torque x increase of the angle
   links[static_cast<std::size_t>(FmuQuantity::motor_speed)] = FmuLink{};
   CHECK(knowledge_of(links).motor_speed);
 }
 
-TEST_CASE("A foreign drivetrain that is stopped by the rock has stalled") {
+TEST_CASE("A foreign drivetrain that the rock stops is reported as stalled") {
   const ScratchDirectory place;
   Drivetrain drive(open_drive(foreign(place.path() / "foreign.fmu")), {});
   for (int k = 0; k < 4000 && !drive.stalled(); ++k)
@@ -89,7 +90,7 @@ TEST_CASE("A foreign drivetrain that is stopped by the rock has stalled") {
   CHECK(*drive.stall_time() == Approx(0.174 * 452.5 * rpm / 23.4375 * std::log(60 / 36.5625)).margin(1e-3));
 }
 
-TEST_CASE("What goes wrong in a foreign drivetrain stops the run with its own words") {
+TEST_CASE("A failure of a foreign drivetrain stops the run with the FMU's own message") {
   const ScratchDirectory place;
   DriveFmu fmu = foreign(place.path() / "foreign.fmu");
   const ModelDescription model = read_fmu(fmu.file);
@@ -110,7 +111,7 @@ TEST_CASE("What goes wrong in a foreign drivetrain stops the run with its own wo
   CHECK_THROWS_AS(run(), BadInput);
 }
 
-TEST_CASE("An FMU that ends, throws or crashes ends its own process, and the run is stopped with the reason") {
+TEST_CASE("An FMU that exits, throws or crashes ends only its own process, and the run stops with the reason") {
   const ScratchDirectory place;
   DriveFmu fmu = foreign(place.path() / "foreign.fmu");
   const ModelDescription model = read_fmu(fmu.file);
@@ -125,7 +126,7 @@ TEST_CASE("An FMU that ends, throws or crashes ends its own process, and the run
   if (misdeed != 2) CHECK_THROWS_WITH(run(), Contains("has ended"));
 }
 
-TEST_CASE("An FMU may wait longer for its first step than it may take for one") {
+TEST_CASE("The time limit of a call does not apply to the time before the first step of an FMU") {
   const ScratchDirectory place;
   const DriveFmu fmu = foreign(place.path() / "foreign.fmu");
   const auto drive = open_drive(fmu, std::chrono::milliseconds(100));  // its process would end itself after 5.1 s
@@ -134,7 +135,7 @@ TEST_CASE("An FMU may wait longer for its first step than it may take for one") 
   CHECK_NOTHROW(drive->advance(1e-3, {}, motion));
 }
 
-TEST_CASE("An FMU that does not answer is given up") {
+TEST_CASE("An FMU that does not answer in time stops the run") {
   const ScratchDirectory place;
   DriveFmu fmu = foreign(place.path() / "foreign.fmu");
   const ModelDescription model = read_fmu(fmu.file);
@@ -144,7 +145,7 @@ TEST_CASE("An FMU that does not answer is given up") {
   CHECK_THROWS_WITH(drive->advance(1e-3, {}, motion), Contains("has not answered for 0.2 s"));
 }
 
-TEST_CASE("An FMU that changes the rounding mode changes only its own numbers") {
+TEST_CASE("An FMU that changes the rounding mode does not change ours") {
   const ScratchDirectory place;
   DriveFmu fmu = foreign(place.path() / "foreign.fmu");
   const ModelDescription model = read_fmu(fmu.file);
@@ -155,7 +156,7 @@ TEST_CASE("An FMU that changes the rounding mode changes only its own numbers") 
   CHECK(std::fegetround() == FE_TONEAREST);
 }
 
-TEST_CASE("A library that is cut off is refused") {
+TEST_CASE("A library that was cut off is refused") {
   const ScratchDirectory place;
   std::ifstream whole(GYRO_FOREIGN_FMU, std::ios::binary);
   std::string content{std::istreambuf_iterator<char>(whole), {}};
@@ -169,7 +170,7 @@ TEST_CASE("A library that is cut off is refused") {
   CHECK_THROWS_AS(open_drive(fmu), BadInput);
 }
 
-TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
+TEST_CASE("A foreign drivetrain reports trips by a boolean output") {
   const ScratchDirectory place;
   DriveFmu fmu = foreign(place.path() / "foreign.fmu");
   const ModelDescription model = read_fmu(fmu.file);
@@ -189,13 +190,13 @@ TEST_CASE("A foreign drivetrain tells of trips by a truth value") {
   REQUIRE(events.size() == 1);
   CHECK(events[0].kind == DriveEventKind::trip);
   CHECK(to_string(events[0].kind) == "trip");
-  CHECK(events[0].time == Approx(0.011));  // at the end of its step
+  CHECK(events[0].time == Approx(0.011));  // at the end of the step
   while (motion.speed > 0) go_on(500);
   REQUIRE(events.size() == 2);
-  CHECK(events[1].kind == DriveEventKind::standstill);  // no stall: its motor is off
+  CHECK(events[1].kind == DriveEventKind::standstill);  // not a stall, because the motor is off
 }
 
-TEST_CASE("A library that leaves its symbols to the host is refused with a way out") {
+TEST_CASE("A library with undefined symbols is refused with a way to provide them") {
   const ScratchDirectory place;
   const auto file = place.path() / "foreign.fmu";
   write_foreign_fmu(file, foreign_description(), "binaries/linux64/flywheel.so", GYRO_ORPHAN_FMU);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A library that expects its host to bring a function along, as those do that embed an interpreter.
+// A library that expects a function from its host, like libraries that embed an interpreter.
 
 extern "C" {
 const char* nobody_has_this();
