@@ -19,7 +19,7 @@ std::string lower_extension(const std::string& path) {
   return end;
 }
 
-/// The triangles as the file has them, and notes on its form.
+/// The triangles of a file without repairs, and notes on its form.
 RepairedMesh parse_file(const std::string& path) {
   const std::string end = lower_extension(path);
   if (end != ".stl" && end != ".obj")
@@ -30,7 +30,7 @@ RepairedMesh parse_file(const std::string& path) {
   return given;
 }
 
-/// Reads a file and repairs its mesh; notes and errors of the repair name the file.
+/// Reads a file and repairs its mesh. Notes and errors of the repair name the file.
 RepairedMesh read_repaired(const std::string& path, RepairedMesh (*repair)(const TriangleMesh&)) {
   const RepairedMesh given = parse_file(path);
   try {
@@ -46,11 +46,11 @@ RepairedMesh read_repaired(const std::string& path, RepairedMesh (*repair)(const
 }  // namespace
 
 std::string read_bytes(const std::string& path) {
-  // A pipe can be read once only, and meshes are read twice.
+  // A pipe can be read only once, but meshes are read twice.
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw BadInput(path + ": is no file; give an STL or OBJ file");
+    throw BadInput(path + ": is not a regular file; give an STL or OBJ file");
   return read_file(path);
 }
 

@@ -10,12 +10,12 @@
 namespace gyro {
 namespace {
 
-/// The lines of an OBJ file, with their number for messages.
+/// Parses the lines of an OBJ file, and counts them for messages.
 class ObjParser {
  public:
   explicit ObjParser(const std::string& name) : name_(name) {}
 
-  /// @param lines  of the file that it takes, more than one where they are joined
+  /// Parses a line. @param lines  number of lines of the file that were joined to it
   void line(std::string_view text, std::size_t lines) {
     number_ = next_;
     next_ += lines;
@@ -63,7 +63,7 @@ class ObjParser {
     mesh_.vertices.push_back({x[0], x[1], x[2]});
   }
 
-  /// 1-based from the start, or negative from the vertices read so far.
+  /// Index of a vertex. In the file it counts from 1, or backwards from the last vertex read so far if negative.
   Index corner(std::string_view w) const {
     w = w.substr(0, w.find('/'));
     std::int64_t n = 0;
@@ -92,7 +92,8 @@ class ObjParser {
   TriangleMesh mesh_;
 };
 
-/// Whether a backslash joins the next line. One at the end of a comment, such as a path, does not.
+/// Whether a line ends with a backslash and therefore continues on the next one. A backslash at the end of a comment,
+/// for example of a path, does not count.
 bool continues(std::string_view line) {
   if (line.find('#') != std::string_view::npos) return false;
   const std::size_t last = line.find_last_not_of(" \t\r");
@@ -107,7 +108,7 @@ TriangleMesh parse_obj(std::string_view text, const std::string& name) {
   const char newline = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {
     std::size_t end = std::min(text.find(newline, begin), text.size()), joined = 0;
-    // word() skips the backslash like a blank.
+    // word() skips the backslashes like blanks.
     for (std::size_t last = begin; end < text.size() && continues(text.substr(last, end - last)); ++joined) {
       last = end + 1;
       end = std::min(text.find(newline, last), text.size());

@@ -8,9 +8,9 @@
 
 namespace gyro {
 
-/// Reads the text of an OBJ file: its vertices and faces, polygons as fans of triangles. All else (textures, normals,
-/// groups, materials, lines) is skipped.
-/// @param name for messages, which add the line
+/// Reads the vertices and faces of the text of an OBJ file; polygons become fans of triangles. Everything else
+/// (textures, normals, groups, materials, lines) is skipped.
+/// @param name  for messages, which add the line
 /// @throws BadInput if a line is malformed, or there is no face
 TriangleMesh parse_obj(std::string_view text, const std::string& name);
 

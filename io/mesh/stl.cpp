@@ -58,7 +58,7 @@ bool same_word(std::string_view a, std::string_view lower) {
   return std::ranges::equal(a, lower, {}, [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 }
 
-/// Words of a text, one after the other, without comments (lines that begin with # or ;); empty at the end.
+/// Reads the words of a text, without comments (lines that begin with # or ;). An empty word is the end.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
@@ -69,7 +69,7 @@ class Words {
     return text_.substr(begin, at_ - begin);
   }
   void skip_line() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
-  /// Of the word that next() gave last, from 1. Lines end with \n, \r\n or \r.
+  /// Line of the word that next() returned last, from 1. Lines end with \n, \r\n or \r.
   std::size_t line() const {
     const std::string_view read = text_.substr(0, at_);
     const auto feeds = std::ranges::count(read, '\n');
@@ -124,7 +124,7 @@ class AsciiStl {
     }
     words_.skip_line();
   }
-  /// What `normal` gives is not used: the order of the corners says where the outside is.
+  /// The normal is not used: the order of the corners decides which side is outside.
   void read_facet() {
     const std::size_t before = mesh_.triangles.size();
     std::string_view word = words_.next();
@@ -162,15 +162,15 @@ class AsciiStl {
 
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
-/// Whether bytes are ASCII STL: they begin with `solid`, and have no zeros where the header of a binary file has.
+/// Whether bytes are ASCII STL: they begin with `solid`, and have no zero bytes where a binary file has its header.
 bool is_ascii(std::string_view text) {
   return same_word(Words(text).next().substr(0, 5), "solid") &&
          text.substr(0, header_size).find('\0') == std::string_view::npos;
 }
 
-/// Bytes behind the last triangle of a binary file that are ignored: less than one triangle, or zeros and blanks.
+/// Whether bytes after the last triangle of a binary file are ignored: fewer than a triangle has, or zeros and blanks.
 bool is_filling(std::string_view bytes) {
-  constexpr std::size_t block = 4096;  // of discs and tapes
+  constexpr std::size_t block = 4096;  // [bytes] block size of disks and tapes
   return bytes.size() < triangle_size || (bytes.size() <= block && bytes.find_first_not_of(std::string_view(
                                                                        "\0 \t\r\n\x1a", 6)) == std::string_view::npos);
 }
@@ -178,7 +178,7 @@ bool is_filling(std::string_view bytes) {
 [[noreturn]] void refuse_binary(std::string_view bytes, std::uint64_t expected, const std::string& name) {
   const auto is_text = [](unsigned char c) { return std::isprint(c) || std::isspace(c); };
   if (!bytes.empty() && std::ranges::all_of(bytes.substr(0, 4 * header_size), is_text))
-    refuse(name, "a text that does not begin with 'solid', as ASCII STL does");
+    refuse(name, "a text that does not begin with 'solid', as an ASCII STL file must");
   if (bytes.size() < header_size)
     refuse(name, "only " + std::to_string(bytes.size()) + " bytes, which is too short for an STL file");
   refuse(name, "the header announces " + std::to_string(announced_triangles(bytes)) + " triangles, which is " +
@@ -189,7 +189,7 @@ bool is_filling(std::string_view bytes) {
 }  // namespace
 
 TriangleMesh parse_stl(std::string_view bytes, const std::string& name, std::vector<std::string>* notes) {
-  // The size decides, not the first word: many binary files begin with "solid".
+  // The size decides, not the first word, because many binary files begin with "solid".
   const std::uint64_t expected =
       bytes.size() >= header_size ? header_size + triangle_size * std::uint64_t{announced_triangles(bytes)} : 0;
   const std::string_view text = bytes.starts_with(utf8_mark) ? bytes.substr(utf8_mark.size()) : bytes;
@@ -201,7 +201,7 @@ TriangleMesh parse_stl(std::string_view bytes, const std::string& name, std::vec
   } else if (bytes.size() >= header_size && bytes.size() > expected && is_filling(bytes.substr(expected))) {
     mesh = parse_binary(bytes.substr(0, expected), name);
     if (notes != nullptr)
-      notes->push_back(std::to_string(bytes.size() - expected) + " bytes behind the last triangle ignored");
+      notes->push_back(std::to_string(bytes.size() - expected) + " bytes after the last triangle ignored");
   } else {
     refuse_binary(bytes, expected, name);
   }

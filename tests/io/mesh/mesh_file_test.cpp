@@ -46,7 +46,7 @@ const char* cube_of_quads =
 
 }  // namespace
 
-TEST_CASE("STL, ASCII and binary, and OBJ give the same solid") {
+TEST_CASE("ASCII STL, binary STL and OBJ files give the same solid") {
   const ScratchDirectory folder;
   const TriangleMesh mesh = block({2, 3, 5});
   const std::string binary = binary_stl(folder, mesh);
@@ -62,14 +62,14 @@ TEST_CASE("STL, ASCII and binary, and OBJ give the same solid") {
   CHECK(mass_properties(cube.mesh).volume == Approx(1));
 }
 
-TEST_CASE("A binary file may begin with the word solid") {
+TEST_CASE("A binary STL file may begin with the word solid") {
   const ScratchDirectory folder;
   std::string bytes = binary_stl(folder, block({1, 1, 1}));
   std::memcpy(bytes.data(), "solid", 5);
   CHECK(parse_stl(bytes, "x").triangles.size() == 12);
 }
 
-TEST_CASE("Repairs are made and said") {
+TEST_CASE("Meshes are repaired, and each repair is reported") {
   const ScratchDirectory folder;
   TriangleMesh mesh = block({1, 1, 1});
   for (auto& t : mesh.triangles) std::swap(t.x, t.y);
@@ -86,7 +86,7 @@ TEST_CASE("Repairs are made and said") {
   CHECK(cleaned.notes.size() == 2);
 }
 
-TEST_CASE("An open mesh is a wall, but no rock") {
+TEST_CASE("An open mesh is accepted as a wall but not as a rock") {
   const ScratchDirectory folder;
   TriangleMesh mesh = block({1, 1, 1});
   mesh.triangles.resize(10);
@@ -95,7 +95,7 @@ TEST_CASE("An open mesh is a wall, but no rock") {
   CHECK_THROWS_WITH(read_solid(path), Contains("4 open edges") && Contains("open.stl"));
 }
 
-TEST_CASE("Files that are no meshes are refused with the reason") {
+TEST_CASE("Files that do not contain a valid mesh are refused with the reason") {
   const ScratchDirectory folder;
   const auto refused = [&](const std::string& name, const std::string& bytes, const std::string& reason) {
     CAPTURE(name);
@@ -112,7 +112,7 @@ TEST_CASE("Files that are no meshes are refused with the reason") {
   refused("cut.stl", good.substr(0, good.size() - 7), "truncated");
   refused("long.stl", good + std::string(50, 'x'), "damaged");
   std::string bogus = good;
-  std::memset(bogus.data() + 80, 0xff, 4);  // four thousand million triangles
+  std::memset(bogus.data() + 80, 0xff, 4);  // 2^32 - 1 triangles
   refused("bogus.stl", bogus, "4294967295");
   std::string nothing = good.substr(0, 84);
   std::memset(nothing.data() + 80, 0, 4);
@@ -136,7 +136,7 @@ TEST_CASE("Files that are no meshes are refused with the reason") {
   refused("huge.obj", "v 0 0 0\nv 1e308 0 0\nv -1e308 1e308 0\nf 1 2 3\n", "1e150");
 }
 
-TEST_CASE("Damaged bytes are refused or read, never worse") {
+TEST_CASE("Files with damaged bytes are read or refused without other exceptions") {
   const ScratchDirectory folder;
   const std::string originals[] = {binary_stl(folder, block({1, 1, 1})), ascii_stl(block({1, 1, 1})), cube_of_quads};
   int refused = 0;
@@ -155,5 +155,5 @@ TEST_CASE("Damaged bytes are refused or read, never worse") {
       ++refused;
     }
   }
-  CHECK(refused > 1000);  // every truncated STL at least
+  CHECK(refused > 1000);  // at least every truncated STL file
 }

@@ -13,7 +13,7 @@
 using namespace gyro;
 using Catch::Matchers::Contains;
 
-// The forms in which CAD programs and converters write the same mesh.
+// Forms in which CAD programs and converters write the same mesh.
 
 namespace {
 
@@ -54,7 +54,7 @@ std::string binary(int count, const std::string& behind = {}) {
 
 }  // namespace
 
-TEST_CASE("An ASCII STL may hold several solids with any names") {
+TEST_CASE("An ASCII STL file may contain several solids with any names") {
   CHECK(triangles(solid("a") + solid("b", 2)) == 3);
   for (const char* name : {"outer bowl", "liner set 3", "facet", "endsolid", "vertex 1 2", "", "endloop outer loop"}) {
     INFO(name);
@@ -63,11 +63,11 @@ TEST_CASE("An ASCII STL may hold several solids with any names") {
   CHECK(triangles("solid a\nendsolid a\n" + solid("b")) == 1);  // an empty solid
 }
 
-TEST_CASE("A cut ASCII STL is refused wherever it is cut") {
+TEST_CASE("An ASCII STL file is refused wherever it is cut off") {
   const std::string text = solid("first") + solid("second");
   const std::size_t last = text.rfind("endsolid"), between = text.find("solid second");
   for (std::size_t length = 1; length < last; ++length) {
-    if (length >= between - 7 && length <= between) continue;  // the first solid is whole, nothing of the second
+    if (length >= between - 7 && length <= between) continue;  // exactly the first solid is left
     INFO(length);
     CHECK_THROWS_AS(parse_stl(text.substr(0, length), "x.stl"), BadInput);
   }
@@ -80,7 +80,7 @@ TEST_CASE("A cut ASCII STL is refused wherever it is cut") {
   refused(solid("a") + "rubbish", "x.stl:10: 'rubbish' in place of 'solid'");
 }
 
-TEST_CASE("ASCII STL in upper case, with a byte-order mark, comments and other line ends") {
+TEST_CASE("ASCII STL is read in upper case, with a byte-order mark, comments and any line ends") {
   std::string upper = solid("Part");
   std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return std::toupper(c); });
   CHECK(triangles(upper) == 1);
@@ -93,13 +93,13 @@ TEST_CASE("ASCII STL in upper case, with a byte-order mark, comments and other l
   refused(replaced(solid("a"), "solid", "object"), "does not begin with 'solid'");
 }
 
-TEST_CASE("A few bytes behind the last triangle of a binary STL are ignored, and said") {
+TEST_CASE("A few bytes after the last triangle of a binary STL file are ignored with a note") {
   const std::string zeros(512, '\0');
   for (const std::string& behind : {std::string("\n"), std::string("\r\n\x1a"), std::string("end of part"), zeros}) {
     std::vector<std::string> notes;
     CHECK(parse_stl(binary(3, behind), "x.stl", &notes).triangles.size() == 3);
     REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0], Contains(std::to_string(behind.size()) + " bytes behind the last triangle"));
+    CHECK_THAT(notes[0], Contains(std::to_string(behind.size()) + " bytes after the last triangle"));
   }
   refused(binary(3, binary(1)), "more than one file");
   refused(binary(3, std::string(50, 'x')), "damaged");
@@ -107,10 +107,10 @@ TEST_CASE("A few bytes behind the last triangle of a binary STL are ignored, and
   const ScratchDirectory folder;
   const RepairedMesh read = read_mesh(written(folder, "long.stl", binary(1, "\n")));
   REQUIRE(read.notes.size() == 1);
-  CHECK_THAT(read.notes[0], Contains("long.stl: 1 bytes behind"));
+  CHECK_THAT(read.notes[0], Contains("long.stl: 1 bytes after"));
 }
 
-TEST_CASE("OBJ in the forms of exporters") {
+TEST_CASE("OBJ files are read in the forms in which other programs write them") {
   const std::string good =
       "# of C:\\parts\\\no one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"
       "g two\no second\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf -3/1 -2/1 -1/1\nf 1 \\\n2 \\\n4\n";
@@ -124,11 +124,11 @@ TEST_CASE("OBJ in the forms of exporters") {
     CHECK(mesh.triangles[1].x == 3);
     CHECK(mesh.triangles[1].z == 5);
   }
-  // The line of a message counts the lines that are joined.
+  // Joined lines are counted in the line number of a message.
   CHECK_THROWS_WITH(parse_obj("v 0 0 0\nv 1 0 0\nf 1 \\\n2 \\\n1\nv 0 1,5 0\n", "x.obj"), Contains("x.obj:6:"));
 }
 
-TEST_CASE("An error while a mesh is read is no end of the file") {
+TEST_CASE("A read error in a mesh file is reported and not taken for the end of the file") {
   const ScratchDirectory folder;
   const std::string path = (folder.path() / "broken.stl").string();
   std::filesystem::create_symlink("/proc/self/mem", path);  // its first read fails with EIO
