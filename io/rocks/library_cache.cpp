@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The recipe itself is in the file, too: two recipes of one digest do not share a library.
+/// File of a recipe in the cache. The file also contains the recipe, so that two recipes with the same digest do not
+/// share a library.
 fs::path cache_file(const fs::path& folder, const std::string& recipe) {
   return folder / ("rocks-" + digest_of(recipe) + ".h5");
 }
@@ -61,7 +62,7 @@ void write_cached(const fs::path& folder, const std::string& recipe, const RockL
   std::error_code ignored;
   fs::create_directories(folder, ignored);
   const fs::path file = cache_file(folder, recipe);
-  fs::path part = file;  // each process writes a file of its own
+  fs::path part = file;  // each process writes its own file
   part += '.';
   part += std::to_string(::getpid());
   try {

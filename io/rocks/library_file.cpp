@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t format = 1;
 
-/// A number of a rock, an attribute of its group.
+/// A number of a rock, which is written as an attribute of its group.
 struct Figure {
   const char* name;
   double RockTemplate::*value;
@@ -33,7 +33,7 @@ constexpr Figure figures[] = {{"diameter", &RockTemplate::diameter},
                               {"centre_error", &RockTemplate::centre_error},
                               {"critical_step", &RockTemplate::critical_step}};
 
-/// The group of each rock: its name, with a number where rocks share one.
+/// The group of each rock: its name, with a number appended if several rocks have the same name.
 std::vector<std::string> groups_of(const std::vector<std::string>& names) {
   std::set<std::string> used;
   std::vector<std::string> groups;
@@ -143,14 +143,14 @@ void write_library(const RockLibrary& library, const std::filesystem::path& path
 
 StoredLibrary read_library(const std::filesystem::path& path) {
   if (!is_sealed(path))
-    throw BadInput(path.string() + ": is damaged, no library, or one of an older version of gyrosim");
+    throw BadInput(path.string() + ": is damaged, not a library, or one of an older version of gyrosim");
   std::uint64_t found = 0;
   try {
     const hdf5::File file = hdf5::File::open_closed(path);
     found = file.integer_attribute("/", "format");
     if (found == format) return read_all(file);
   } catch (const std::exception& problem) {
-    throw BadInput(path.string() + ": is damaged or no library (" + problem.what() + ")");
+    throw BadInput(path.string() + ": is damaged or not a library (" + problem.what() + ")");
   }
   throw BadInput(path.string() + ": has format " + std::to_string(found) +
                  ", but this version of gyrosim reads format " + std::to_string(format));

@@ -17,7 +17,7 @@ RockShapes converted(const Shapes& shapes) {
 RockShapes converted(const ShapeFiles& files) {
   GivenShapes given{{}, files.corners};
   for (const std::string& path : files.paths) {
-    // The path belongs to the content because the notes name it.
+    // The path is a part of the content, because the notes contain it.
     given.shapes.push_back({std::filesystem::path(path).stem().string(), path + " " + digest_of(read_bytes(path)),
                             [path] { return read_solid(path); }});
   }

@@ -9,16 +9,16 @@
 
 namespace gyro {
 
-/// Closed meshes in files, STL or OBJ.
+/// Closed meshes in STL or OBJ files.
 struct ShapeFiles {
   std::vector<std::string> paths;
-  int corners = 0;  ///< of the polyhedron that replaces a scan; 0: the scan itself
+  int corners = 0;  ///< largest number of corners of the polyhedron that replaces a scan; 0: the scan itself is used
 };
 
-/// Where a case takes the shapes of its rocks from.
+/// The source of the shapes of a case's rocks.
 using ShapeSource = std::variant<ProceduralShapes, ShapeFiles, CylinderSpecimen>;
 
-/// The shapes as a recipe takes them. Of each file the digest is taken now; its mesh is read when the library is made.
+/// The shapes for a recipe. The digest of each file is computed now; its mesh is read when the library is made.
 /// @throws BadInput if a file cannot be read
 RockShapes recipe_shapes(const ShapeSource& source);
 

@@ -30,7 +30,7 @@ std::filesystem::path only_file(const ScratchDirectory& folder) {
 
 }  // namespace
 
-TEST_CASE("A cached library is the one that was made") {
+TEST_CASE("A library from the cache is identical to the one that was made") {
   const ScratchDirectory folder;
   const RockLibrary made = cached_library(small_recipe(), folder.path());
   const RockLibrary read = cached_library(small_recipe(), folder.path());
@@ -39,20 +39,20 @@ TEST_CASE("A cached library is the one that was made") {
   CHECK(same_library(made, read));
   CHECK(same_library(made, make_library(small_recipe())));
 
-  SECTION("another recipe is another file") {
+  SECTION("another recipe has another file") {
     LibraryRecipe other = small_recipe();
     other.bond_parameters.damping = 0.06;
     CHECK_FALSE(cached_library(other, folder.path()).from_cache);
     CHECK(files_in(folder.path()).size() == 2);
   }
-  SECTION("a file with the text of another recipe is not taken") {
+  SECTION("a file with the text of another recipe is not used") {
     write_cached(folder.path(), "another recipe", made);
     const auto file = folder.path() / ("rocks-" + digest_of("another recipe") + ".h5");
     REQUIRE(std::filesystem::exists(file));
     std::filesystem::rename(file, folder.path() / ("rocks-" + digest_of(recipe_text(small_recipe())) + ".h5"));
     CHECK_FALSE(cached_library(small_recipe(), folder.path()).from_cache);
   }
-  SECTION("a damaged file is made again without a word") {
+  SECTION("a damaged file is ignored and written again") {
     const std::string path = only_file(folder).string();
     const std::string good = read_bytes(path);
     const int kind = GENERATE(0, 1, 2, 3);
@@ -69,7 +69,7 @@ TEST_CASE("A cached library is the one that was made") {
   }
 }
 
-TEST_CASE("No flipped bit in a cache file changes a library") {
+TEST_CASE("A cache file with a flipped bit is never used") {
   const ScratchDirectory folder;
   LibraryRecipe recipe = small_recipe();
   recipe.samples = 2;
@@ -84,13 +84,13 @@ TEST_CASE("No flipped bit in a cache file changes a library") {
     bad[at] = static_cast<char>(bad[at] ^ (1 << (at % 8)));
     written(folder, only_file(folder).filename(), bad);
     const std::optional<RockLibrary> read = read_cached(folder.path(), text);
-    if (read) FAIL("a flipped bit at byte " << at << " goes unnoticed");
+    if (read) FAIL("a flipped bit at byte " << at << " is not detected");
     ++refused;
   }
   CHECK(refused == (good.size() + 6) / 7);
 }
 
-TEST_CASE("Processes that share a cache never see half a library and leave nothing behind") {
+TEST_CASE("Processes that share a cache never see an incomplete library and leave no other files") {
   const ScratchDirectory folder;
   const RockLibrary library = make_library(small_recipe());
   const std::string text = recipe_text(small_recipe());
@@ -109,7 +109,7 @@ TEST_CASE("Processes that share a cache never see half a library and leave nothi
   for (int read = 0; read < 2000 && found < 200; ++read) {
     const std::optional<RockLibrary> cached = read_cached(folder.path(), text);
     if (!cached) {
-      intact = intact && found == 0;  // once a library is there, there always is one
+      intact = intact && found == 0;  // after a library has been found once, there must always be one
       continue;
     }
     ++found;
@@ -125,7 +125,7 @@ TEST_CASE("Processes that share a cache never see half a library and leave nothi
   CHECK(files_in(folder.path()).size() == 1);
 }
 
-TEST_CASE("A cache that cannot be written is no error") {
+TEST_CASE("A cache that cannot be written is not an error") {
   const ScratchDirectory folder;
   const std::string file = written(folder, "file", "not a folder");
   LibraryRecipe recipe = small_recipe();
@@ -134,7 +134,7 @@ TEST_CASE("A cache that cannot be written is no error") {
   CHECK(cached_library(recipe, "").rocks.size() == 1);
 }
 
-TEST_CASE("The cache is where the user's caches are") {
+TEST_CASE("The cache is in XDG_CACHE_HOME or in the home directory") {
   const auto with = [](const char* cache, const char* home) {
     cache ? ::setenv("XDG_CACHE_HOME", cache, 1) : ::unsetenv("XDG_CACHE_HOME");
     home ? ::setenv("HOME", home, 1) : ::unsetenv("HOME");

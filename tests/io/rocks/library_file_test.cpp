@@ -13,12 +13,12 @@
 using namespace gyro;
 using Catch::Matchers::Contains;
 
-TEST_CASE("A library comes back from its file to the last bit") {
+TEST_CASE("A library reads back from its file to the bit") {
   const ScratchDirectory folder;
   RockLibrary library = make_library(small_recipe());
   library.notes = {"scan.stl: 1 hole closed", ""};
   library.rocks[1].critical_step = std::numeric_limits<double>::infinity();
-  library.rocks[2].bonds.clear();  // a rock of one particle has none
+  library.rocks[2].bonds.clear();  // like a rock of one particle
   library.rocks[2].colour_begin = {0};
   write_library(library, folder.path() / "library.h5", "a recipe\nof two lines");
   const StoredLibrary stored = read_library(folder.path() / "library.h5");
@@ -27,7 +27,7 @@ TEST_CASE("A library comes back from its file to the last bit") {
   CHECK(same_library(stored.library, library));
 }
 
-TEST_CASE("Rocks of one name keep their own data and their order") {
+TEST_CASE("Rocks with the same name keep their own data and their order") {
   const ScratchDirectory folder;
   RockLibrary library = make_library(small_recipe());
   library.rocks.resize(4);
@@ -39,14 +39,14 @@ TEST_CASE("Rocks of one name keep their own data and their order") {
         std::vector<std::string>{"cylinder-100mm", "cylinder-100mm#2", "cylinder-100mm#2#2", "cylinder-100mm#3"});
 }
 
-TEST_CASE("What is no library is refused with its path") {
+TEST_CASE("A file that is not a library is refused with its path") {
   const ScratchDirectory folder;
   const auto refused = [&](const std::filesystem::path& path, const std::string& reason) {
     CHECK_THROWS_AS(read_library(path), BadInput);
     CHECK_THROWS_WITH(read_library(path), Contains(path.string()) && Contains(reason));
   };
-  refused(folder.path() / "none.h5", "no library");
-  refused(written(folder, "text.h5", "not HDF5"), "no library");
+  refused(folder.path() / "none.h5", "not a library");
+  refused(written(folder, "text.h5", "not HDF5"), "not a library");
   const std::filesystem::path newer = folder.path() / "newer.h5";
   write_library(make_library(small_recipe()), newer);
   {

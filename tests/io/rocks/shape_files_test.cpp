@@ -11,7 +11,7 @@
 using namespace gyro;
 using Catch::Matchers::Contains;
 
-TEST_CASE("Rocks from files, also ones that are not convex, and the cache sees their content") {
+TEST_CASE("Rocks are made from mesh files, and the cache depends on the content of the files") {
   const ScratchDirectory folder, cache;
   const std::string corner = (folder.path() / "corner.stl").string();
   const auto library_of_file = [&] {
@@ -24,7 +24,7 @@ TEST_CASE("Rocks from files, also ones that are not convex, and the cache sees t
   write_stl(corner, corner_piece());
   for (const RockTemplate& rock : library_of_file().rocks) {
     CHECK_THAT(rock.name, Contains("corner"));
-    // Three unit cubes: through a square of side 2, along one of the long edges.
+    // The shape is three unit cubes: it passes a square of side 2, along one of its long edges.
     CHECK(rock.sieve_size == Approx(2 * std::cbrt(rock.solid_volume / 3)).epsilon(1e-5));
   }
   CHECK(library_of_file().from_cache);
@@ -40,21 +40,21 @@ TEST_CASE("Rocks from files, also ones that are not convex, and the cache sees t
   CHECK(read.notes == changed.notes);
 }
 
-TEST_CASE("A file is parsed only for a library that has to be made") {
+TEST_CASE("A shape file is parsed only if the library has to be made") {
   const ScratchDirectory folder;
   const std::string path = written(folder, "rock.stl", "solid of nothing");
   const RockShapes shapes = recipe_shapes(ShapeFiles{{path}});
   CHECK_THROWS_WITH(std::get<GivenShapes>(shapes).shapes.at(0).load(), Contains("rock.stl"));
 }
 
-TEST_CASE("Shape files that cannot be read are refused at once, and no file at all") {
+TEST_CASE("Shape files that cannot be read are refused at once, and so is an empty list of files") {
   CHECK_THROWS_WITH(recipe_shapes(ShapeFiles{{"/nowhere/rock.stl"}}), Contains("/nowhere/rock.stl: no such file"));
   LibraryRecipe recipe = small_recipe();
   recipe.shapes = recipe_shapes(ShapeFiles{});
   CHECK_THROWS_AS(cached_library(recipe, ""), BadInput);
 }
 
-TEST_CASE("Other shapes stay as they are") {
+TEST_CASE("Shapes that do not come from files are passed on unchanged") {
   CHECK(std::get<ProceduralShapes>(recipe_shapes(ProceduralShapes{7})).count == 7);
   CHECK(std::get<CylinderSpecimen>(recipe_shapes(CylinderSpecimen{3})).slenderness == 3);
 }
