@@ -16,7 +16,7 @@ constexpr Attribute attributes[] = {
     {"title", &CaseRecord::title, "title of the case"},
     {"resolved_yaml", &CaseRecord::resolved_yaml, "the case with all defaults and --set applied"},
     {"version", &CaseRecord::version, "version of gyrosim"},
-    {"git_hash", &CaseRecord::git_hash, "commit that it was built from"},
+    {"git_hash", &CaseRecord::git_hash, "commit that gyrosim was built from"},
     {"device", &CaseRecord::device, "cpu, or the name of the GPU"},
     {"precision", &CaseRecord::precision, "mixed or double"},
     {"seed", &CaseRecord::seed, "seed of all random numbers"},

@@ -9,7 +9,7 @@
 
 namespace gyro {
 
-/// What made a run: the attributes of group /case of results.h5.
+/// How a run was made: the attributes of the group /case of results.h5.
 struct CaseRecord {
   std::string title;
   std::string resolved_yaml;  ///< the case with defaults and --set applied
@@ -19,10 +19,10 @@ struct CaseRecord {
   std::uint64_t seed = 0;
 };
 
-/// Makes the group where it is missing; replaces its attributes.
+/// Writes the attributes of the group /case; existing ones are replaced, and a missing group is created.
 void write_record(hdf5::File& file, const CaseRecord& record);
 
-/// An attribute of /case, for the reference of outputs.
+/// An attribute of /case, for the reference page of outputs.
 struct RecordAttribute {
   std::string name, description;
 };

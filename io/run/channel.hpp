@@ -8,35 +8,35 @@
 
 namespace gyro {
 
-/// What a number of a row is to the `time` of its row.
+/// How a number of a row is related to the `time` of its row.
 enum class Sampling {
-  instant,  ///< the value at `time`; sums since the start, and what never changes, are such values too
+  instant,  ///< the value at `time`, including sums since the start and constant values
   mean,     ///< the mean over the interval that ends at `time`
   sum       ///< the sum over the interval that ends at `time`
 };
 
-/// The word in attribute `sampling` of a dataset.
+/// The word for the attribute `sampling` of a dataset.
 const char* to_string(Sampling sampling);
 
-/// One quantity of a table of results.h5: a dataset of its own with attributes `units`, `sampling` and `description`.
+/// One quantity of a table of results.h5: a dataset with the attributes `units`, `sampling` and `description`.
 struct Channel {
   std::string name;
-  std::string units;  ///< as in "rad/s"; "1" for a pure number
+  std::string units;  ///< such as "rad/s"; "1" for a pure number
   int columns = 1;
   hdf5::Number number = hdf5::Number::float64;
   Sampling sampling = Sampling::instant;
   std::string description = {};  ///< one line
 };
 
-/// A group whose datasets grow together, a row at a time.
+/// A group whose datasets grow together, one row at a time.
 struct ResultsGroup {
-  std::string name;  ///< "/series"
+  std::string name;  ///< such as "/series"
   std::vector<Channel> channels;
 };
 
 /// A dataset that is written once, with the attributes of a channel.
 struct FixedNumbers {
-  std::string name;  ///< "/product/sizes"
+  std::string name;  ///< such as "/product/sizes"
   Channel channel;   ///< its name and columns are not used
   std::vector<double> numbers;
 };

@@ -31,7 +31,7 @@ std::string lines_of(double time, std::span<const std::string> parts) {
   return lines;
 }
 
-/// Writes at a place of a file. @returns false, with errno
+/// Writes a text at a place of a file [bytes]. @returns false on failure, with errno
 bool write_at(int file, std::string_view text, std::size_t place) {
   while (!text.empty()) {
     const ssize_t written = ::pwrite(file, text.data(), text.size(), static_cast<off_t>(place));
@@ -62,7 +62,7 @@ void FrameIndex::add(double time, std::span<const std::string> parts) {
   const bool written = file >= 0 && write_at(file, lines + std::string(tail), end_);
   const int reason = errno;
   if (file >= 0) {
-    // On a full disk the old end still fits where it was.
+    // On a full disk the old end still fits into its former place.
     if (!written) [[maybe_unused]]
       const bool restored =
           write_at(file, tail, end_) && ::ftruncate(file, static_cast<off_t>(end_ + tail.size())) == 0;

@@ -8,23 +8,23 @@
 
 namespace gyro {
 
-/// A ParaView index of frames (.pvd), to which frames are added at its end, so that a frame costs the same whatever
-/// their number. The file is whole after each call; a reader that comes in between sees a file that ends early.
+/// A ParaView index of frames (.pvd). Frames are added at its end, so that the cost of a frame does not depend on their
+/// number. The file is complete after each call; during a call a reader may see a file that ends early.
 class FrameIndex {
  public:
-  /// @param file  for the index, which is made by the first add()
+  /// @param file  for the index; it is created by the first call of add() or write()
   explicit FrameIndex(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Adds a frame. @param parts  its files, relative to the index
-  /// @throws OutputError; then the index is as before
+  /// Adds a frame. @param time  [s]  @param parts  its files, relative to the index
+  /// @throws OutputError; the index is then unchanged
   void add(double time, std::span<const std::string> parts);
 
-  /// Replaces the index. @param parts  of each frame
+  /// Replaces the index. @param times  of the frames [s]  @param parts  files of each frame
   void write(std::span<const double> times, std::span<const std::vector<std::string>> parts);
 
  private:
   std::filesystem::path file_;
-  std::size_t end_ = 0;  ///< where the next frame begins, 0: no file yet [bytes]
+  std::size_t end_ = 0;  ///< place of the next frame in the file; 0: no file has been written yet [bytes]
 };
 
 }  // namespace gyro

@@ -18,7 +18,7 @@ struct Log::Sinks {
 Log::Log() : sinks_(std::make_unique<Sinks>()) {
   const auto terminal = std::make_shared<spdlog::sinks::stderr_sink_mt>();
   terminal->set_level(spdlog::level::warn);
-  // On a terminal the live progress line stands where the message goes: wipe it first.
+  // On a terminal the live progress line may be in the place of the message, so that it is erased first.
   terminal->set_pattern(::isatty(STDERR_FILENO) ? "\r\033[K%l: %v" : "%l: %v");
   sinks_->logger.sinks().push_back(terminal);
   sinks_->logger.flush_on(spdlog::level::info);

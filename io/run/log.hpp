@@ -7,13 +7,13 @@
 
 namespace gyro {
 
-/// The log of a run: everything into a file with the time of day, warnings and errors also to standard
-/// error. Safe to call from several threads.
+/// The log of a run. All messages are written to a file with date and time; warnings and errors are also written to
+/// standard error. Several threads may use it at the same time.
 class Log {
  public:
-  /// Appends to `file`. @throws OutputError when it cannot be opened
+  /// Appends to `file`. @throws OutputError if it cannot be opened
   explicit Log(const std::filesystem::path& file);
-  /// Without a file: warnings and errors to standard error only.
+  /// Without a file: warnings and errors are written to standard error only.
   Log();
   ~Log();
   Log(Log&&) noexcept;

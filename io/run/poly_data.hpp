@@ -18,25 +18,25 @@ struct PolyArray {
   std::variant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::uint32_t>> values;  ///< row after row
 };
 
-/// Cells of one kind: the points of all of them, one behind the other, and where each ends.
+/// Cells of one kind: the points of all cells in sequence, and for each cell the index after its last point.
 struct PolyCells {
   std::vector<std::int32_t> points, ends;
 };
 
 /// Points, lines and triangles with fields: VTK's PolyData.
 struct PolyData {
-  std::vector<float> positions;  ///< x, y, z of point after point [m]
+  std::vector<float> positions;  ///< x, y, z of each point in sequence [m]
   PolyCells vertices, lines, triangles;
   std::vector<PolyArray> point_fields, cell_fields;  ///< cells in the order vertices, lines, triangles
-  std::optional<double> time;                        ///< [s]; none for what is the same at all times
+  std::optional<double> time;                        ///< [s]; empty for data that do not depend on time
 };
 
-/// Writes a VTK XML file (.vtp): binary data appended, compressed by zlib. With VTK's library where the program was
-/// built with it, else with write_vtp_plain(). @throws OutputError
+/// Writes a VTK XML file (.vtp) with appended binary data, compressed by zlib. Uses VTK's library if the program was
+/// built with it, and write_vtp_plain() otherwise. @throws OutputError
 void write_vtp(const std::filesystem::path& path, const PolyData& data);
 
-/// The same file, made without VTK's library. Format: VTK File Formats (docs.vtk.org), XML, "raw" appended data, header
-/// UInt64, blocks compressed by zlib.
+/// Writes the same file without VTK's library. Format: VTK File Formats (docs.vtk.org), XML, "raw" appended data,
+/// header UInt64, blocks compressed by zlib. @throws OutputError
 void write_vtp_plain(const std::filesystem::path& path, const PolyData& data);
 
 }  // namespace gyro

@@ -16,11 +16,11 @@
 namespace gyro {
 namespace {
 
-constexpr double live_interval = 0.2;    ///< between two looks of a live line [s]
+constexpr double live_interval = 0.2;    ///< between two updates of a live line [s]
 constexpr double line_interval = 10;     ///< plain lines: at least one in this time [s] ...
-constexpr double line_share = 0.02;      ///< ... and one each such part of the run,
-constexpr double shortest_interval = 1;  ///< but no flood in a short one [s]
-constexpr double memory = 20;            ///< over which rates are smoothed [s]
+constexpr double line_share = 0.02;      ///< ... and one after each such share of the run,
+constexpr double shortest_interval = 1;  ///< but at most one in this time [s]
+constexpr double memory = 20;            ///< time constant with which rates are smoothed [s]
 
 double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -43,7 +43,7 @@ std::string two_parts(double seconds, double large, const char* large_unit, doub
          small_unit;
 }
 
-/// A bar of `cells` characters, filled with the accuracy of half a cell.
+/// A bar of `cells` characters, filled to an accuracy of half a character.
 std::string bar(double fraction, int cells, bool colour) {
   const int halves = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 2 * cells);
   std::string full, rest;
@@ -58,7 +58,7 @@ std::string bar(double fraction, int cells, bool colour) {
   return colour ? "\033[36m" + full + "\033[90m" + rest + "\033[0m" : full + rest;
 }
 
-/// Whole parts as far as they fit.
+/// Joins as many whole parts as fit into `room` characters.
 std::string join(const std::vector<std::string>& parts, std::size_t room) {
   std::string text;
   for (const std::string& part : parts) {
@@ -84,7 +84,7 @@ std::string format_duration(double seconds) {
 std::string format_count(double value) {
   constexpr std::array prefixes{"", " k", " M", " G", " T"};
   std::size_t p = 0;
-  // 999.5 would be printed as 1e+03.
+  // With three digits, 999.5 would be printed as 1e+03.
   while (std::abs(value) >= 999.5 && p + 1 < prefixes.size()) {
     value /= 1000;
     ++p;
@@ -96,7 +96,7 @@ ProgressStyle ProgressStyle::for_stderr(bool quiet) {
   ProgressStyle style;
   const char* kind = std::getenv("TERM");
   const bool terminal = ::isatty(STDERR_FILENO) != 0 && !(kind != nullptr && std::string_view(kind) == "dumb");
-  const char* no_colour = std::getenv("NO_COLOR");  // no-color.org: any value that is not empty
+  const char* no_colour = std::getenv("NO_COLOR");  // by no-color.org, any value that is not empty disables colours
   style.form = quiet ? Form::silent : terminal ? Form::live : Form::lines;
   style.colour = terminal && (no_colour == nullptr || *no_colour == '\0');
   return style;
@@ -124,7 +124,7 @@ double Progress::fraction_at(double time) const {
 bool Progress::is_due(double now, double fraction) const {
   const double since = now - shown_at_;
   if (style_.form == ProgressStyle::Form::live) return since >= live_interval;
-  // A run of hours needs no line each 10 s: the interval grows to 2 % of what it has lasted.
+  // A run of hours does not need a line every 10 s: the interval grows to 2 % of the time that has passed.
   const double interval = std::max(line_interval, line_share * (now - started_));
   return since >= interval || (since >= shortest_interval && fraction - shown_fraction_ >= line_share);
 }
@@ -133,7 +133,7 @@ void Progress::update(const ProgressState& state) {
   if (style_.form == ProgressStyle::Form::silent) return;
   const double now = clock_();
   const double fraction = fraction_at(state.time);
-  if (!is_due(now, fraction) || state.time >= end_) return;  // the end is left to finish()
+  if (!is_due(now, fraction) || state.time >= end_) return;  // finish() shows the end
   learn_rates(now, state);
   show(now, state);
   shown_fraction_ = fraction;
@@ -142,7 +142,7 @@ void Progress::update(const ProgressState& state) {
 void Progress::finish(const ProgressState& state) {
   if (style_.form == ProgressStyle::Form::silent) return;
   const double now = clock_();
-  // The last line tells about the whole run, not about its end.
+  // The last line shows the rates of the whole run, not those at its end.
   const double elapsed = now - started_;
   time_rate_ = elapsed > 0 ? (state.time - begin_.time) / elapsed : 0;
   step_rate_ = elapsed > 0 ? static_cast<double>(state.particle_steps - begin_.particle_steps) / elapsed : 0;
@@ -150,13 +150,13 @@ void Progress::finish(const ProgressState& state) {
   if (style_.form == ProgressStyle::Form::live) out_ << '\n' << std::flush;
 }
 
-/// Exponential means over wall clock, so that the time left follows a chamber that fills or crumbles.
+/// Exponential means over wall-clock time, so that the time left follows changes in the number of particles and bonds.
 void Progress::learn_rates(double now, const ProgressState& state) {
   const double passed = now - learnt_at_;
   if (passed <= 0) return;
   const double time_rate = (state.time - learnt_time_) / passed;
   const double step_rate = static_cast<double>(state.particle_steps - learnt_steps_) / passed;
-  // Young estimates are plain means: a share of the whole time passed, not of the memory.
+  // At first the estimates are plain means: the weight of a value is its share of the time that has passed so far.
   const double share = std::max(1 - std::exp(-passed / memory), passed / (now - started_));
   time_rate_ += share * (time_rate - time_rate_);
   step_rate_ += share * (step_rate - step_rate_);
@@ -172,7 +172,7 @@ void Progress::show(double now, const ProgressState& state) {
   if (style_.form == ProgressStyle::Form::live) {
     constexpr int cells = 16;
     const int width = style_.width > 0 ? style_.width : terminal_width();
-    // Everything but the bar is plain ASCII; the last column stays free, a full line would wrap.
+    // Everything except the bar is plain ASCII. The last column stays empty, because a full line would wrap.
     const int room = width - 1 - cells - static_cast<int>(percent.size()) - 3;
     out_ << "\r\033[K" << bar(fraction, cells, style_.colour) << ' ' << percent << "  "
          << join(parts, static_cast<std::size_t>(std::max(0, room))) << std::flush;
@@ -182,7 +182,7 @@ void Progress::show(double now, const ProgressState& state) {
   shown_at_ = now;
 }
 
-/// The most wanted first: what does not fit the terminal is left out.
+/// The parts of a line, the most important first: parts that do not fit into the terminal are left out.
 std::vector<std::string> Progress::describe(double now, const ProgressState& state) const {
   const bool over = state.time >= end_;
   const double left = time_rate_ > 0 ? (end_ - state.time) / time_rate_ : -1;

@@ -10,7 +10,7 @@
 
 namespace gyro {
 
-/// Where a run stands.
+/// The present state of a run.
 struct ProgressState {
   double time = 0;                  ///< simulated [s]
   std::int64_t particle_steps = 0;  ///< since the start of the run
@@ -24,23 +24,22 @@ struct ProgressState {
 struct ProgressStyle {
   enum class Form { silent, lines, live } form = Form::lines;
   bool colour = false;
-  int width = 0;  ///< of the terminal in characters; 0: ask it whenever a line is drawn
+  int width = 0;  ///< of the terminal in characters; 0: determined whenever a line is drawn
 
-  /// Live on a terminal, plain lines into a pipe or file or with TERM=dumb, silent when `quiet`; colour on a terminal
+  /// Live on a terminal; plain lines in a pipe or file, or with TERM=dumb; silent if `quiet`. Colour on a terminal
   /// unless NO_COLOR is set.
   static ProgressStyle for_stderr(bool quiet);
 };
 
-/// Shows how far a run has come, with the expected time left. Calls cost next to nothing when no
-/// line is due.
+/// Shows the progress of a run, with the expected time left. A call costs almost nothing if no line is due.
 class Progress {
  public:
   using Clock = std::function<double()>;  ///< wall clock [s], any origin
-  /// Progress on standard error. @param begin  where this process starts  @param end  of the whole run [s]
+  /// Progress on standard error. @param begin  state at which this process starts  @param end  of the whole run [s]
   Progress(const ProgressState& begin, double end, ProgressStyle style);
   Progress(const ProgressState& begin, double end, ProgressStyle style, std::ostream& out, Clock clock);
   void update(const ProgressState& state);
-  /// Shows the last state and leaves the cursor on a fresh line.
+  /// Shows the last state and moves the cursor to a new line.
   void finish(const ProgressState& state);
 
  private:
@@ -49,7 +48,7 @@ class Progress {
   void show(double now, const ProgressState& state);
   std::vector<std::string> describe(double now, const ProgressState& state) const;
 
-  double fraction_at(double time) const;  ///< of the whole run
+  double fraction_at(double time) const;  ///< fraction of the whole run
 
   ProgressState begin_;
   double end_;
@@ -58,15 +57,15 @@ class Progress {
   Clock clock_;
   double started_;
   double shown_at_, shown_fraction_ = 0;  ///< of the last line
-  double learnt_at_, learnt_time_;        ///< of the last look at the rates
+  double learnt_at_, learnt_time_;        ///< of the last update of the rates
   std::int64_t learnt_steps_;
   double time_rate_ = 0, step_rate_ = 0;  ///< per second of wall clock, smoothed
 };
 
-/// Short duration for people: "0.4 s", "37 s", "12 min 05 s", "3 h 20 min", "4 d 06 h".
+/// Short readable duration: "0.4 s", "37 s", "12 min 05 s", "3 h 20 min", "4 d 06 h".
 std::string format_duration(double seconds);
 
-/// Three figures with an SI prefix: 12345678 -> "12.3 M".
+/// A number with three digits and an SI prefix: 12345678 -> "12.3 M".
 std::string format_count(double value);
 
 }  // namespace gyro

@@ -17,7 +17,7 @@ namespace {
   throw OutputError(path.string() + ": cannot " + what + ": " + std::generic_category().message(errno));
 }
 
-/// Writes everything; a write may stop early without that being an error.
+/// Writes the whole content. One call of write() may write only a part of it; this is not an error.
 bool write_all(int file, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(file, content.data(), content.size());

@@ -6,16 +6,16 @@
 
 namespace gyro {
 
-/// Writes a file so that a reader, or a machine that goes down, sees the old content or the new one but
-/// never a part: PATH.tmp, then rename. @param sync also waits until the disk has it
+/// Writes a file so that a reader sees either the old or the new content but never a part of it, also after a crash of
+/// the machine: writes PATH.tmp and then renames it. @param sync  also wait until the content is on the disk
 /// @throws OutputError with path and reason
 void replace_file(const std::filesystem::path& path, std::string_view content, bool sync = false);
 
-/// Puts a file that is written and closed, PATH.tmp, in the place of PATH, once the disk has it.
-/// @throws OutputError with path and reason; PATH is then as it was
+/// Waits until PATH.tmp, a file that has been written and closed, is on the disk, and then renames it to PATH.
+/// @throws OutputError with path and reason; PATH is then unchanged
 void put_in_place(const std::filesystem::path& path);
 
-/// Waits until the disk has what was written to a file. @throws OutputError
+/// Waits until everything that was written to a file is on the disk. @throws OutputError
 void sync_file(const std::filesystem::path& path);
 
 }  // namespace gyro

@@ -10,7 +10,7 @@ namespace gyro {
 namespace {
 
 constexpr std::chrono::seconds flush_interval{5};
-constexpr std::size_t rows_kept = 1024;  ///< waiting rows at most: one chunk of a scalar channel
+constexpr std::size_t rows_kept = 1024;  ///< largest number of waiting rows: one chunk of a scalar channel
 
 }  // namespace
 
@@ -33,7 +33,7 @@ ResultsFile::~ResultsFile() {
   try {
     close();
   } catch (const std::exception&) {
-    // close() was not reached because of an earlier error, which is the one to report.
+    // close() was not called because of an earlier error, and that error is the one to report.
   }
 }
 

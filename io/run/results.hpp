@@ -16,39 +16,39 @@
 
 namespace gyro {
 
-/// What results.h5 of a run holds.
+/// The contents of results.h5 of a run.
 struct ResultsContent {
   CaseRecord record;
-  std::vector<ResultsGroup> groups;  ///< in the order in which they are made
+  std::vector<ResultsGroup> groups;  ///< in the order in which they are created
   std::vector<FixedNumbers> fixed;
 };
 
-/// Rows of the groups of results.h5 so far, as {"/series", 120}.
+/// Number of rows of each group of results.h5, such as {"/series", 120}.
 using ResultsRows = std::map<std::string, std::int64_t>;
 
-/// results.h5 of a run: /case, groups that grow by rows, and datasets that are written once. Rows are
-/// written about every 5 s of wall clock and when the file closes. Readable while it grows and after
-/// the process was killed; then the datasets of a group may differ by the last few rows.
+/// results.h5 of a run: /case, groups that grow by rows, and datasets that are written once. Rows are written about
+/// every 5 s of wall-clock time and when the file is closed. The file can be read while it grows and after the process
+/// was killed; the datasets of a group may then differ in the number of their last rows.
 /// @throws OutputError on any failure to write
 class ResultsFile {
  public:
   ResultsFile(const std::filesystem::path& path, const ResultsContent& content);
-  /// Continues the file of a run from the rows `keep`; later rows are dropped. A kill in between leaves
-  /// the file as it was. @throws BadInput for a file with less or other content
+  /// Continues the file of a run after the rows `keep`; later rows are removed. If the process is killed meanwhile, the
+  /// file is unchanged. @throws BadInput for a file with fewer rows or with other content
   ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep);
-  /// Closes without reporting failures; call close() on the normal way out.
+  /// Closes the file without reporting failures. Normally close() is called before.
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
 
   /// Adds a row to a group of the content. @param row  see ResultsTable::append
   void append(const std::string& group, std::span<const double> row);
-  /// Hands every waiting row to the operating system.
+  /// Passes all waiting rows to the operating system.
   void flush();
-  /// Waits until the disk has every row.
+  /// Waits until all rows are on the disk.
   void sync();
   ResultsRows rows() const;
-  /// Writes what waits and closes; nothing can be appended afterwards.
+  /// Writes all waiting rows and closes the file; nothing can be appended afterwards.
   void close();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// results.h5 of a run that is resumed: checked, cut to the rows of its checkpoint, and opened again.
+// Checks results.h5 of a run that is resumed, cuts it to the rows of the checkpoint, and opens it for new rows.
 #include "core/base/errors.hpp"
 #include "io/run/replace_file.hpp"
 #include "io/run/results.hpp"
@@ -14,7 +14,7 @@ BadInput refused(const std::filesystem::path& path, const std::string& why) {
                   "; restore the file that belongs to the checkpoint, or use --overwrite to start the run again");
 }
 
-/// Whether a child of a group is one of the content's groups or datasets.
+/// Whether a child of a group is one of the groups or datasets of the content.
 bool is_in(const ResultsContent& content, const ResultsGroup& group, const std::string& child) {
   const std::string path = group.name + "/" + child;
   return std::ranges::any_of(group.channels, [&](const Channel& channel) { return channel.name == child; }) ||
@@ -22,7 +22,7 @@ bool is_in(const ResultsContent& content, const ResultsGroup& group, const std::
          std::ranges::any_of(content.groups, [&](const ResultsGroup& other) { return other.name == path; });
 }
 
-/// Whether numbers are those that were written, in the precision of the file.
+/// Whether numbers that were read are those of a dataset, in the precision of the file.
 bool same_numbers(const std::vector<double>& read, const FixedNumbers& fixed) {
   const auto stored = [&](double number) {
     return fixed.channel.number == hdf5::Number::float32 ? static_cast<double>(static_cast<float>(number)) : number;
@@ -37,35 +37,35 @@ void require_channels(const std::filesystem::path& path, const hdf5::File& file,
     const auto rows = keep.find(group.name);
     if (rows == keep.end() || !file.contains(name)) throw refused(path, "has no " + name);
     const hdf5::Dataset dataset = file.dataset(name);
-    if (dataset.columns() != channel.columns) throw refused(path, "has another form of " + name);
+    if (dataset.columns() != channel.columns) throw refused(path, "has a different number of columns in " + name);
     if (dataset.rows() < rows->second)
       throw refused(
           path, "has " + std::to_string(dataset.rows()) + " rows of " + name + ", not " + std::to_string(rows->second));
-    // Read all of it now: once rows are appended, the library waits for ever for a damaged block to become sound.
+    // All numbers are read now: after rows are appended, the library would wait for ever for a damaged block.
     if (dataset.string_attribute("units") != channel.units) throw refused(path, "has another unit of " + name);
     dataset.read();
   }
 }
 
-/// @throws BadInput unless a file has the groups of a content, with the rows to keep, and no other datasets in them
+/// @throws BadInput unless a file has the groups of the content, with the rows to keep and without other datasets
 void require_rows(const std::filesystem::path& path, const hdf5::File& file, const ResultsContent& content,
                   const ResultsRows& keep) {
   for (const ResultsGroup& group : content.groups) {
     require_channels(path, file, group, keep);
     for (const std::string& child : file.children(group.name))
       if (!is_in(content, group, child))
-        throw refused(path, "has " + group.name + "/" + child + ", which would end here");
+        throw refused(path, "has " + group.name + "/" + child + ", which this run does not write");
   }
 }
 
-/// @throws BadInput unless a file has the datasets that are written once, with the same numbers
+/// @throws BadInput unless a file has the same numbers in the datasets that are written once
 void require_fixed(const std::filesystem::path& path, const hdf5::File& file, const ResultsContent& content) {
   for (const FixedNumbers& fixed : content.fixed)
     if (!file.contains(fixed.name) || !same_numbers(file.dataset(fixed.name).read(), fixed))
-      throw refused(path, "has other numbers in " + fixed.name);
+      throw refused(path, "has different numbers in " + fixed.name);
 }
 
-/// Drops all rows behind those to keep.
+/// Removes all rows after those to keep.
 void shorten(hdf5::File& file, const ResultsContent& content, const ResultsRows& keep) {
   for (const ResultsGroup& group : content.groups)
     for (const Channel& channel : group.channels) {
@@ -81,7 +81,7 @@ void copy_results(const std::filesystem::path& path, const std::filesystem::path
   if (error) throw OutputError(path.string() + ": cannot copy: " + error.message());
 }
 
-/// Opens the copy of a results file to change it. @throws BadInput for a damaged file, or one without the rows to keep
+/// Opens the copy of a results file for changes. @throws BadInput for a damaged file, or one without the rows to keep
 hdf5::File open_copy(const std::filesystem::path& path, const std::filesystem::path& copy,
                      const ResultsContent& content, const ResultsRows& keep) {
   try {
@@ -96,8 +96,8 @@ hdf5::File open_copy(const std::filesystem::path& path, const std::filesystem::p
 
 }  // namespace
 
-// All changes are made to a copy, which takes the file's place when it is ready for new rows: a kill at any moment
-// leaves one file or the other.
+// All changes are made to a copy, which replaces the file when it is ready for new rows. If the process is killed at
+// any time, either the old or the new file remains.
 ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep)
     : path_(path), last_flush_(std::chrono::steady_clock::now()) {
   const std::filesystem::path copy = path.string() + ".tmp";

@@ -7,12 +7,12 @@
 namespace gyro {
 namespace {
 
-constexpr std::int64_t chunk_numbers = 8192;  ///< about as many numbers in a chunk of a wide channel
+constexpr std::int64_t chunk_numbers = 8192;  ///< approximate number of numbers in a chunk of a wide channel
 
-/// Chunks of 1024 rows, fewer for wide channels so that a chunk stays a small write.
+/// Layout with chunks of 1024 rows, or of fewer rows for wide channels, so that a chunk is a small write.
 hdf5::Layout layout_of(const Channel& channel) {
   const std::int64_t rows = std::clamp<std::int64_t>(chunk_numbers / channel.columns, 1, 1024);
-  // Not compressed: partly filled chunks are written again and again (see hdf5::Layout).
+  // Not compressed, because partly filled chunks are rewritten many times (see hdf5::Layout).
   return {.number = channel.number, .columns = channel.columns, .chunk_rows = rows};
 }
 

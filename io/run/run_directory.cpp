@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every name that a run writes; --overwrite touches nothing else.
+// All files that a run writes; --overwrite removes these and frames, and nothing else.
 constexpr std::array own_files{"results.h5", "fields.h5", "fields.xdmf",   "checkpoint.h5", "summary.json",
                                "log.txt",    "case.yaml", "particles.pvd", "bonds.pvd",     "walls.pvd"};
-// A case.yaml alone may be the user's own; one of these says that a run was here.
+// Files that show that a directory holds a run. A case.yaml alone does not, because it may be the user's own.
 constexpr std::array marks{"results.h5", "summary.json", "log.txt", "checkpoint.h5"};
 
 bool has_any(const fs::path& directory, const auto& names) {
@@ -39,8 +39,8 @@ void remove_file(const fs::path& path) {
   if (error) fail(path, "remove", error);
 }
 
-/// Whether a snapshot has a name that a run gives: (particles|bonds|walls)_NNNNNN.vtp or walls_fixed.vtp, perhaps with
-/// .tmp behind it.
+/// Whether a file has the name of a frame: (particles|bonds|walls)_NNNNNN.vtp or walls_fixed.vtp, perhaps with .tmp at
+/// the end.
 bool is_frame(std::string_view name) {
   if (name.ends_with(".tmp")) name.remove_suffix(4);
   if (name == "walls_fixed.vtp") return true;
@@ -65,7 +65,7 @@ void remove_run(const fs::path& directory) {
     if (is_frame(entry.path().filename().string())) frames.push_back(entry.path());
   for (const fs::path& path : frames) remove_file(path);
   std::error_code not_empty;
-  fs::remove(snapshots, not_empty);  // stays when there is something of the user's in it
+  fs::remove(snapshots, not_empty);  // it remains if it contains other files
 }
 
 void make_directory(const fs::path& path) {
@@ -74,14 +74,14 @@ void make_directory(const fs::path& path) {
   if (error) fail(path, "make the directory", error);
 }
 
-/// Finds out before the run, not after an hour.
+/// Checks before the run that the directory can be written. @throws OutputError
 void prove_writable(const fs::path& directory) {
   const fs::path probe = directory / ".gyrosim-probe";
   replace_file(probe, "");
   remove_file(probe);
 }
 
-/// Number of runs/<stem>-NNN, or -1 for another name.
+/// The number NNN of a name <stem>-NNN; -1 for another name.
 int run_number(const std::string& name, const std::string& stem) {
   if (name.size() < stem.size() + 4 || name.compare(0, stem.size() + 1, stem + "-") != 0) return -1;
   const std::string digits = name.substr(stem.size() + 1);
@@ -96,7 +96,7 @@ RunDirectory next_in_runs(const std::string& case_name) {
   int highest = 0;
   for (const auto& entry : fs::directory_iterator(runs))
     highest = std::max(highest, run_number(entry.path().filename().string(), case_name));
-  // Another process may take the same number: making a directory says which of them was first.
+  // Another process may choose the same number: only one of them can create the directory.
   for (int next = highest + 1;; ++next) {
     std::array<char, 16> number;
     std::snprintf(number.data(), number.size(), "-%03d", next);
@@ -108,7 +108,7 @@ RunDirectory next_in_runs(const std::string& case_name) {
   }
 }
 
-/// What there is at a path, without a change to it.
+/// Examines a path without changing it.
 RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
   if (fs::exists(path) && !fs::is_directory(path))
     throw BadInput("--out " + path.string() + " is a file; give a directory, which may be new");
@@ -116,7 +116,7 @@ RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
   const EarlierRun earlier = read_summary(path).value_or(EarlierRun{"unfinished", 0});
   if (!has_run && has_any(path, own_files))
     throw BadInput("--out " + path.string() +
-                   " holds files with names that a run uses, but no run; give another directory");
+                   " holds files with names that a run would use, but no run; give another directory");
   if (!has_run || overwrite) return {path, RunDirectory::State::fresh, 0};
   if (earlier.status == "done") return {path, RunDirectory::State::finished, earlier.simulated_seconds};
   if (!resume)
@@ -127,7 +127,7 @@ RunDirectory find_named(const fs::path& path, bool resume, bool overwrite) {
 
 RunDirectory open_named(const fs::path& path, const RunDirectoryRequest& request) {
   RunDirectory found = find_named(path, request.resume, request.overwrite);
-  // A finished run may lie in an archive that nobody may write.
+  // A finished run may be in an archive that cannot be written.
   if (found.state == RunDirectory::State::finished && !request.lock) return found;
   make_directory(path);
   found.lock = request.lock ? request.lock : std::make_shared<RunLock>(path);

@@ -10,42 +10,42 @@
 
 namespace gyro {
 
-/// What the command line says about the output.
+/// The options of the command line for the output.
 struct RunDirectoryRequest {
   std::optional<std::filesystem::path> out = {};  ///< --out
-  std::string case_name = {};                     ///< names runs/<case>-NNN when there is no --out
+  std::string case_name = {};                     ///< for the name runs/<case>-NNN if there is no --out
   bool resume = false, overwrite = false;
-  std::shared_ptr<RunLock> lock = {};  ///< of `out`, when it is held already (lock_run_directory)
+  std::shared_ptr<RunLock> lock = {};  ///< of `out`, if it is already held (lock_run_directory)
 };
 
-/// The directory a run writes to, which exists and can be written.
+/// The directory of a run.
 struct RunDirectory {
   enum class State {
-    fresh,      ///< holds no run: start at the beginning
+    fresh,      ///< holds no run: the run starts at the beginning
     half_done,  ///< holds a run that --resume continues
-    finished    ///< holds a run with status `done`: leave it alone, or continue if --resume asks for a later end
+    finished    ///< holds a run with status `done`: it is left unchanged, or continued if --resume asks for a later end
   };
   std::filesystem::path path;
   State state = State::fresh;
-  double simulated_seconds = 0;        ///< of the finished or half-done run, as far as its summary says
-  std::shared_ptr<RunLock> lock = {};  ///< while it lives, no other run writes here; none for a finished run
+  double simulated_seconds = 0;        ///< of the finished or half-done run, from its summary
+  std::shared_ptr<RunLock> lock = {};  ///< while it exists, no other run writes here; empty for a finished run
 };
 
-/// Keeps other runs out of a directory that holds a run already, before that is looked at.
-/// @returns nothing when there is no run at `out`, or when nobody may write there
-/// @throws BadInput when another run writes there now
+/// Locks a directory that already holds a run, before the run is examined.
+/// @returns nothing if there is no run at `out`, or if the directory cannot be written
+/// @throws BadInput if another run is writing there
 std::shared_ptr<RunLock> lock_run_directory(const std::optional<std::filesystem::path>& out);
 
-/// What open_run_directory() would find, without writing anything. Without `out` it is a fresh run and the
-/// path is empty. @throws BadInput as open_run_directory
+/// Finds what open_run_directory() would find, without writing anything. Without `out` the result is a fresh run with
+/// an empty path. @throws BadInput for the reasons of open_run_directory
 RunDirectory find_run_directory(const RunDirectoryRequest& request);
 
-/// Finds or makes the directory of a run. Without `out` it is runs/<case>-NNN below the working
-/// directory, always a new one. `--overwrite` removes the files that a run writes and no others.
-/// --resume of a directory without a run starts a fresh one, so that a scheduler may always pass it.
-/// @throws BadInput for a half-done run without resume or overwrite, for both of them, for one of them
-///         without `out`, if `out` is not a directory, or if another run writes there
-/// @throws OutputError when it cannot be made or written
+/// Finds or creates the directory of a run. Without `out` it is runs/<case>-NNN in the working directory, always a new
+/// one. --overwrite removes only files that a run writes. --resume of a directory without a run starts a fresh run, so
+/// that a job script can always use it.
+/// @throws BadInput for a half-done run without resume or overwrite, if both are given, if one of them is given without
+///         `out`, if `out` is not a directory, or if another run is writing there
+/// @throws OutputError if the directory cannot be created or written
 RunDirectory open_run_directory(const RunDirectoryRequest& request);
 
 }  // namespace gyro

@@ -26,11 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What run.lock says.
+/// The contents of run.lock.
 struct Holder {
   std::string host, since;
   long pid = 0;
-  long beat = 0;  ///< signs of life so far
+  long beat = 0;  ///< number of signs of life so far
 };
 
 std::string host_name() {
@@ -79,19 +79,20 @@ Holder holder_in(int file) {
                           : "process " + std::to_string(holder.pid) + " on " + holder.host + ", since " + holder.since;
   throw BadInput(
       path.parent_path().string() + ": a run is still writing here (" + who +
-      "); wait for its end or stop it, or give another directory with --out. If that process is no run of gyrosim, "
+      "); wait for its end or stop it, or give another directory with --out. If that process is not a run of gyrosim, "
       "remove run.lock");
 }
 
 enum class Locked { yes, no, unknown };
 
-/// Locks the open file: not for a process, but for this opening of it, so that it holds inside a process, too.
+/// Locks the open file. The lock belongs to this open file and not to the process, so that it also works within one
+/// process.
 Locked try_lock(int file) {
   struct flock whole = {};
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;
   if (::fcntl(file, F_OFD_SETLK, &whole) == 0) return Locked::yes;
-  return errno == EAGAIN || errno == EACCES ? Locked::no : Locked::unknown;  // unknown: a file system without locks
+  return errno == EAGAIN || errno == EACCES ? Locked::no : Locked::unknown;  // unknown: the file system has no locks
 }
 
 bool is_file_of(const fs::path& path, int file) {
@@ -100,11 +101,12 @@ bool is_file_of(const fs::path& path, int file) {
          named.st_dev == open.st_dev;
 }
 
-/// Whether the holder gives a sign of life while we watch. The file is opened each time: then NFS looks at the server.
+/// Whether the holder gives a sign of life within times.patience. The file is opened again for each check, because NFS
+/// then asks the server.
 bool gives_sign_of_life(const fs::path& path, const Holder& holder, LockTimes times) {
   std::cerr << path.string() << " is of process " << holder.pid << " on " << holder.host << ", since " << holder.since
-            << "; looking for " << std::chrono::duration_cast<std::chrono::seconds>(times.patience).count()
-            << " s whether it still runs\n";
+            << "; checking for " << std::chrono::duration_cast<std::chrono::seconds>(times.patience).count()
+            << " s whether that process is still running\n";
   const auto end = std::chrono::steady_clock::now() + times.patience;
   while (std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(times.patience / 20);
@@ -124,7 +126,7 @@ bool is_process(long pid) {
 void require_dead(const fs::path& path, const Holder& holder, Locked locked, LockTimes times) {
   if (holder.host.empty()) return;
   const bool here = holder.host == host_name();
-  if (here && locked == Locked::yes) return;  // its lock has ended with it
+  if (here && locked == Locked::yes) return;  // the holder has ended, and its lock with it
   const bool alive = here ? is_process(holder.pid) : gives_sign_of_life(path, holder, times);
   if (alive) refuse(path, holder);
 }
@@ -133,7 +135,7 @@ void require_dead(const fs::path& path, const Holder& holder, Locked locked, Loc
 
 namespace {
 
-/// run.lock, open and locked, with this process as its holder.
+/// The file run.lock, open and locked, with this process as its holder.
 class LockFile {
  public:
   LockFile(fs::path path, LockTimes times);
@@ -141,7 +143,7 @@ class LockFile {
   LockFile(const LockFile&) = delete;
   LockFile& operator=(const LockFile&) = delete;
 
-  /// Counts a sign of life. @returns false when the file has another holder now
+  /// Writes a sign of life. @returns false if the file now has another holder
   bool beat();
 
  private:
@@ -167,11 +169,11 @@ LockFile::LockFile(fs::path path, LockTimes times) : path_(std::move(path)) {
 }
 
 LockFile::~LockFile() {
-  if (is_ours()) ::unlink(path_.c_str());  // before the lock ends: who waits for it sees that the file is gone
+  if (is_ours()) ::unlink(path_.c_str());  // before the lock ends: the next holder must see that the file was removed
   ::close(file_);
 }
 
-/// @returns false when the file was removed meanwhile by its former holder
+/// @returns false if the former holder has removed the file meanwhile
 bool LockFile::open_and_lock(LockTimes times) {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) fail(path_, "create the file");
@@ -199,7 +201,7 @@ bool LockFile::beat() {
   if (!is_ours()) return false;
   ++holder_.beat;
   const std::string text = text_of(holder_);
-  // A disk that is full now is reported by what the run itself writes.
+  // A failure is ignored here: the run reports a full disk when it writes its own files.
   [[maybe_unused]] const ssize_t written = ::pwrite(file_, text.data(), text.size(), 0);
   return true;
 }

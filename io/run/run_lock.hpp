@@ -7,26 +7,27 @@
 
 namespace gyro {
 
-/// Times of a lock on a file system whose locks do not reach other machines.
+/// Times of a lock on a file system whose locks are not visible on other machines.
 struct LockTimes {
-  std::chrono::milliseconds beat{10'000};  ///< between two signs of life
+  std::chrono::milliseconds beat{10'000};  ///< time between two signs of life
   std::chrono::milliseconds patience{
-      45'000};  ///< a holder on another machine without a sign of life for so long is dead
+      45'000};  ///< a holder on another machine that gives no sign of life in this time is taken to have ended
 };
 
-/// The right to write into a run's directory, held by DIRECTORY/run.lock while this object lives.
+/// The right to write into the directory of a run. DIRECTORY/run.lock holds it while this object exists.
 ///
-/// The file is locked (fcntl), so the lock ends with its process, however that ends. It also names host, process and
-/// time of its holder and gets a sign of life every few seconds. Where a file of another machine is found unlocked,
-/// that machine may have died, or its locks may not be seen from here: then its signs of life are watched for a while.
+/// The file is locked (fcntl), so that the lock ends with its process in any case. The file also contains host, process
+/// and start time of its holder, and the holder writes a sign of life into it every few seconds. If a file of another
+/// machine is not locked, that machine may have crashed, or its locks may not be visible here. The file is then watched
+/// for signs of life for a while.
 class RunLock {
  public:
-  /// @throws BadInput, with the holder, when another process writes into the directory
-  /// @throws OutputError when the file cannot be made
+  /// @throws BadInput, with the holder, if another process is writing into the directory
+  /// @throws OutputError if the file cannot be created
   explicit RunLock(const std::filesystem::path& directory, LockTimes times = {});
   ~RunLock();
-  /// Whether another run has taken the directory: this process was suspended, and its locks are not seen from the other
-  /// machine.
+  /// Whether another run has taken over the directory. This can happen if this process was suspended and its locks are
+  /// not visible on the other machine.
   bool lost() const;
   RunLock(RunLock&&) noexcept;
   RunLock& operator=(RunLock&&) noexcept;

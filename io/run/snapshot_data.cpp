@@ -14,8 +14,8 @@ void append(std::vector<float>& to, const Vec3d& v) {
   to.insert(to.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
 }
 
-/// A field of a snapshot: what is said of it, and the function (source, row) that gives its numbers. A function that
-/// returns Vec3d makes three components.
+/// A field of a snapshot: its name, units and description, and the function that makes its array. field() makes this
+/// function from a function (source, row) that gives the numbers; one that returns Vec3d gives three components.
 template <class Source>
 struct Field {
   using Make = PolyArray (*)(const Source& source, std::size_t rows, const char* name);
@@ -47,20 +47,21 @@ using Row = std::size_t;
 using Particles = ParticleSnapshot;
 using Bonds = BondSnapshot;
 
-/// The triangles of all walls of a file.
+/// The triangles of all walls in a file.
 struct WallTriangles {
   std::vector<Index> wall;
-  WallLoads loads;  ///< NaN for the triangles of walls without; empty when there are none
+  WallLoads loads;  ///< NaN for the triangles of walls without loads; empty if no wall has loads
 };
 
 constexpr Field<Particles> particle_fields[] = {
     field<std::uint32_t, Particles>(
         "id", "1", [](const Particles& s, Row p) { return s.id[p]; }, "id of the particle"),
     field<std::int32_t, Particles>(
-        "rock", "1", [](const Particles& s, Row p) { return s.rock[p]; }, "number of the rock that it was made in"),
+        "rock", "1", [](const Particles& s, Row p) { return s.rock[p]; },
+        "number of the rock that the particle was made in"),
     field<std::uint32_t, Particles>(
         "fragment", "1", [](const Particles& s, Row p) { return s.id[static_cast<std::size_t>(s.fragment[p])]; },
-        "lowest id of the particles of its fragment"),
+        "lowest particle id in its fragment"),
     field<float, Particles>(
         "radius", "m", [](const Particles& s, Row p) { return s.radius[p]; }, "radius"),
     field<float, Particles>(
@@ -69,10 +70,10 @@ constexpr Field<Particles> particle_fields[] = {
         "velocity", "m/s", [](const Particles& s, Row p) { return s.velocity[p]; }, "velocity"),
     field<float, Particles>(
         "force", "N", [](const Particles& s, Row p) { return s.force[p]; },
-        "force of contacts, walls and bonds on it, without gravity"),
+        "force of contacts, walls and bonds on the particle, without gravity"),
 };
 
-/// At the ends of the bonds, two rows each: the Tube filter of ParaView needs them there.
+/// Fields at the two ends of each bond, where the Tube filter of ParaView needs them.
 constexpr Field<Bonds> bond_end_fields[] = {
     field<float, Bonds>(
         "radius", "m", [](const Bonds& s, Row end) { return s.radius[end / 2]; }, "radius of the bond"),
@@ -92,11 +93,11 @@ constexpr Field<WallTriangles> wall_fields[] = {
         "number of the wall, in the order of the case file"),
 };
 
-/// With output.liners.
+/// Fields that exist only with output.liners.
 constexpr Field<WallTriangles> load_fields[] = {
     field<float, WallTriangles>(
         "pressure", "Pa", [](const WallTriangles& s, Row t) { return s.loads.pressure[t]; },
-        "with output.liners: mean pressure of rock since the start"),
+        "with output.liners: mean pressure of the rock since the start"),
     field<float, WallTriangles>(
         "sliding_work", "J", [](const WallTriangles& s, Row t) { return s.loads.sliding_work[t]; },
         "with output.liners: work of friction since the start"),
@@ -141,7 +142,7 @@ std::vector<SnapshotField> snapshot_fields() {
 PolyData particle_data(const ParticleSnapshot& s) {
   PolyData data;
   data.positions = positions(s.position);
-  // One cell holds all points: without a cell ParaView's surface view shows nothing.
+  // One cell contains all points, because without a cell ParaView's surface view shows nothing.
   if (s.size() > 0) data.vertices.ends = {static_cast<std::int32_t>(s.size())};
   data.vertices.points.resize(s.size());
   std::iota(data.vertices.points.begin(), data.vertices.points.end(), 0);
@@ -165,7 +166,7 @@ PolyData bond_data(const BondSnapshot& s, const ParticleSnapshot& particles) {
 
 namespace {
 
-/// Appends the numbers of a wall behind those of the walls before it, which had none so far.
+/// Appends the numbers of a wall; earlier triangles without numbers get NaN.
 void append_loads(std::vector<double>& to, const std::vector<double>& numbers, std::size_t triangles_before) {
   if (numbers.empty()) return;
   to.resize(triangles_before, std::nan(""));

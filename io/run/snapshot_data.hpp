@@ -8,7 +8,7 @@
 
 namespace gyro {
 
-/// The parts of a frame with the fields of snapshot_fields(), without the time; see SnapshotWriter for their form.
+/// The parts of a frame with the fields of snapshot_fields(), without the time. SnapshotWriter describes their form.
 PolyData particle_data(const ParticleSnapshot& particles);
 PolyData bond_data(const BondSnapshot& bonds, const ParticleSnapshot& particles);
 PolyData wall_data(std::span<const PosedWall> walls);

@@ -35,11 +35,11 @@ SnapshotWriter::SnapshotWriter(std::filesystem::path directory, std::vector<doub
       walls_{"walls", FrameIndex(directory_ / "walls.pvd")} {
   std::error_code error;
   std::filesystem::create_directories(directory_ / "snapshots", error);
-  if (error) throw OutputError((directory_ / "snapshots").string() + ": cannot make it: " + error.message());
+  if (error) throw OutputError((directory_ / "snapshots").string() + ": cannot make the directory: " + error.message());
   drop_later_frames();
 }
 
-/// Files of a frame, relative to the directory.
+/// Files of a frame, relative to the directory. @param numbered  whether it has a file of its own
 std::vector<std::string> SnapshotWriter::parts(const std::string& kind, std::size_t frame, bool numbered) const {
   std::vector<std::string> files;
   if (numbered) files.push_back(frame_file(kind, frame));
@@ -47,7 +47,7 @@ std::vector<std::string> SnapshotWriter::parts(const std::string& kind, std::siz
   return files;
 }
 
-/// Frames that another run left behind: indices first, so that they never name a missing file.
+/// Removes frames that an earlier run has left. The indices are changed first, so that they never name a missing file.
 void SnapshotWriter::drop_later_frames() {
   for (Kind* kind : {&particles_, &bonds_, &walls_}) {
     const auto file = [&](std::size_t frame) { return directory_ / frame_file(kind->name, frame); };
@@ -76,7 +76,7 @@ void SnapshotWriter::write(const SnapshotFrame& frame) {
   if (frame.bonds) write_vtp(file(bonds_), at(frame.time, bond_data(*frame.bonds, *frame.particles)));
   if (!frame.walls.empty()) write_vtp(file(walls_), at(frame.time, wall_data(frame.walls)));
   times_.push_back(frame.time);
-  // The indices last: they never name a file that is not there.
+  // The indices are changed last, so that they never name a missing file.
   if (frame.particles) add_to_index(particles_, true);
   if (frame.bonds) add_to_index(bonds_, true);
   if (!frame.walls.empty() || has_fixed_) add_to_index(walls_, !frame.walls.empty());

@@ -13,23 +13,23 @@
 
 namespace gyro {
 
-/// What the rock has done to the triangles of a wall since the start of the run; one number for each triangle.
+/// Loads of the rock on the triangles of a wall since the start of the run, one number for each triangle.
 struct WallLoads {
   std::vector<double> pressure;      ///< mean [Pa]
-  std::vector<double> sliding_work;  ///< of friction [J]
+  std::vector<double> sliding_work;  ///< work of friction [J]
   std::vector<double> wear;          ///< depth [m]; empty without a wear coefficient
 };
 
-/// A wall as it stands in the world at the time of a snapshot.
+/// A wall in its position at the time of a snapshot.
 struct PosedWall {
   TriangleMesh mesh;  ///< world frame
   Index wall;         ///< number in Scene::walls
   std::optional<WallLoads> loads = {};
 };
 
-/// What a frame shows; an empty part writes no file and gets no index.
+/// The contents of a frame. For an empty part no file and no index are written.
 struct SnapshotFrame {
-  double time = 0;
+  double time = 0;  ///< [s]
   const ParticleSnapshot* particles = nullptr;
   const BondSnapshot* bonds = nullptr;    ///< needs particles
   std::span<const PosedWall> walls = {};  ///< those that change from frame to frame
@@ -37,26 +37,26 @@ struct SnapshotFrame {
 
 /// A field of the files of a frame.
 struct SnapshotField {
-  std::string kind;  ///< of file: "particles", "bonds", "walls"
-  std::string row;   ///< what it has a value for: "particle"
+  std::string kind;  ///< of the file: "particles", "bonds", "walls"
+  std::string row;   ///< object that has a value, such as "particle"
   std::string name, units;
   int width;                ///< components
   std::string description;  ///< one line
 };
 std::vector<SnapshotField> snapshot_fields();
 
-/// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: appended, zlib, float32), once
-/// snapshots/walls_fixed.vtp, and the ParaView indices {particles,bonds,walls}.pvd.
+/// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: appended, zlib, float32),
+/// snapshots/walls_fixed.vtp once, and the ParaView indices {particles,bonds,walls}.pvd.
 ///
-/// particles: points with one vertex cell, all fields at the points. bonds: one line each with its own two points;
-/// radius at the points, the other fields at the lines. walls: triangles with their fields.
-/// @throws OutputError when a file cannot be written
+/// particles: points with one vertex cell, all fields at the points. bonds: one line for each bond, with two points of
+/// its own; the radius is a field of the points, the others are fields of the lines. walls: triangles with their fields.
+/// @throws OutputError if a file cannot be written
 class SnapshotWriter {
  public:
-  /// @param directory the run's directory
-  /// @param earlier times of frames that a resumed run keeps; later ones are removed, numbering continues after them
+  /// @param directory  of the run
+  /// @param earlier  times of the frames that a resumed run keeps [s]; later frames are removed, and numbers continue
   explicit SnapshotWriter(std::filesystem::path directory, std::vector<double> earlier = {});
-  /// Before the first frame: walls that are the same in all of them.
+  /// Writes the walls that are the same in all frames. To be called before the first frame.
   void write_fixed(std::span<const PosedWall> walls);
   void write(const SnapshotFrame& frame);
   const std::vector<double>& times() const { return times_; }

@@ -82,7 +82,7 @@ void write_state(const fs::path& path, const SavedState& state) {
     put_in_place(path);
   } catch (...) {
     std::error_code ignored;
-    fs::remove(part, ignored);  // room on a disk that is full
+    fs::remove(part, ignored);  // frees space on a full disk
     throw;
   }
 }
@@ -91,8 +91,8 @@ SavedState read_state(const fs::path& path) {
   if (!fs::exists(path)) refuse(path, "there is no such checkpoint; give the directory of a run that wrote one");
   if (!is_sealed(path))
     refuse(path,
-           "is damaged, no checkpoint, or one of an older version of gyrosim; restore the file, or use --overwrite to "
-           "start the run again");
+           "is damaged, not a checkpoint, or one of an older version of gyrosim; restore the file, or use --overwrite "
+           "to start the run again");
   std::uint64_t format = 0;
   try {
     const hdf5::File file = hdf5::File::open_closed(path);
@@ -103,7 +103,7 @@ SavedState read_state(const fs::path& path) {
       return state;
     }
   } catch (const std::exception& problem) {
-    refuse(path, std::string("is damaged or no checkpoint (") + problem.what() +
+    refuse(path, std::string("is damaged or not a checkpoint (") + problem.what() +
                      "); restore the file, or use --overwrite to start the run again");
   }
   refuse(

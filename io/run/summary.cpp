@@ -47,7 +47,7 @@ std::string to_string(RunStatus status) {
 }
 
 std::string to_json(const Summary& summary) {
-  // A title may hold bytes that are no UTF-8; they must not cost the summary.
+  // A title may contain bytes that are not UTF-8; the summary must be written nevertheless.
   return json_of(summary_figures(), summary).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -66,7 +66,7 @@ Summary load_summary(const std::filesystem::path& directory) {
   const std::filesystem::path path = directory / "summary.json";
   if (!std::filesystem::exists(path))
     throw BadInput(path.string() +
-                   ": cannot be read; give the directory of a run that has ended, which writes this file");
+                   ": does not exist; give the directory of a run that has ended, which writes this file");
   const Json json = Json::parse(read_file(path), nullptr, false);
   try {
     if (!json.is_object() || !json.contains("status")) throw BadInput("it has no status");
@@ -74,7 +74,7 @@ Summary load_summary(const std::filesystem::path& directory) {
     read(summary_figures(), json, summary);
     return summary;
   } catch (const std::exception& problem) {
-    throw BadInput(path.string() + ": is no summary of a run (" + problem.what() +
+    throw BadInput(path.string() + ": is not a summary of a run (" + problem.what() +
                    "); restore the file, or run the case again");
   }
 }

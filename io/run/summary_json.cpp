@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of the summary as JSON, and back.
+// Conversion of the values of the summary to JSON and back.
 #include "core/base/errors.hpp"
 #include "io/run/summary_table.hpp"
 

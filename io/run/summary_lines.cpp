@@ -15,7 +15,7 @@ std::string speed(double count, double seconds, const char* of) {
   return seconds > 0 ? ", " + format_count(count / seconds) + " " + of + "/s" : std::string();
 }
 
-/// A unit that fits a number: number x factor is in it.
+/// A unit for a number: number x factor is the value in this unit.
 struct Unit {
   double factor;
   const char* name;
@@ -38,7 +38,7 @@ std::string text_of(const Estimate& e, const Unit& unit) {
   return format("%.4g +- %.2g ", e.value * unit.factor, e.error * unit.factor) + unit.name;
 }
 
-/// Of the steady part where there is one, else of the whole run.
+/// Line with a figure of the steady part if there is one, otherwise of the whole run.
 template <class UnitOf>
 std::string figure_line(const char* name, const Summary& s, const std::optional<Estimate>& steady,
                         const std::optional<double>& whole, const UnitOf& unit_of, const char* what = "") {
@@ -174,7 +174,7 @@ std::string bonds_line(const Summary& s) {
 
 std::string time_step_line(const Summary& s) {
   if (!(s.time_step > 0)) return {};
-  // Without rock and bonds nothing limits the step: infinity, which JSON has not.
+  // Without rock and bonds the step has no limit: it is infinite, or 0 after reading, because JSON has no infinity.
   const bool limited = s.time_step_limit > 0 && std::isfinite(s.time_step_limit);
   return line("time step", format("%.4g us", s.time_step * 1e6) +
                                (limited ? format(", limit %.4g us", s.time_step_limit * 1e6) : std::string()));
@@ -187,7 +187,7 @@ std::string device_line(const Summary& s) {
 }
 
 std::string failure_line(const LaboratoryFigures& l) {
-  if (!l.failure_force || !l.failure_displacement) return line("failure", "none until the end");
+  if (!l.failure_force || !l.failure_displacement) return line("failure", "none before the end of the run");
   return line("failure", format("at %.4g N, %.3g mm", *l.failure_force, *l.failure_displacement * 1e3));
 }
 

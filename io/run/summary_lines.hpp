@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-/// Lines of the summary on the terminal; empty where they say nothing about this run.
+/// Lines of the summary on the terminal. A line is empty if it does not apply to the run.
 namespace gyro {
 
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
@@ -14,15 +14,15 @@ namespace gyro {
 /// "  name                value".
 std::string line(const char* name, const std::string& value);
 
-/// A line with a scaled number and what follows it; empty without the number.
+/// A line with value x scale and the text `unit` after it; empty without a value.
 std::string number_line(const char* name, const std::optional<double>& value, double scale, const char* unit,
                         int digits = 4);
 
-/// Masses in t, kg or g, as fits.
+/// A line with a mass in t, kg or g, depending on its size; empty without a mass.
 std::string mass_line(const char* name, const std::optional<double>& mass);
 
-// Figures of the product and of the drive: since the run is steady, with their standard errors; else of the whole run,
-// and called those of a start-up where the run is not steady.
+// Figures of the product and of the drive. If the run is steady, they are those of its steady part, with their standard
+// errors. Otherwise they are those of the whole run, marked as start-up if the run is known not to be steady.
 std::string throughput_line(const Summary& s);
 std::string p80_line(const Summary& s);
 std::string crushing_power_line(const Summary& s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Members of members of summary.json.
+// Members of the objects in summary.json.
 #include "io/run/summary_lines.hpp"
 #include "io/run/summary_table.hpp"
 
@@ -16,15 +16,12 @@ constexpr const char* with_name_plate = "with a motor that has a rated power";
 const std::vector<Figure<SteadyFigures>>& steady_figures() {
   using S = SteadyFigures;
   static const std::vector<Figure<S>> figures{
-      {.name = "from",
-       .units = "s",
-       .value = field<&S::from>,
-       .description = "time from which on the run shows no drift"},
+      {.name = "from", .units = "s", .value = field<&S::from>, .description = "time from which the run shows no drift"},
       {.name = "gyrations", .units = "1", .value = field<&S::gyrations>, .description = "whole gyrations since then"},
       {.name = "blocks",
        .units = "1",
        .value = field<&S::blocks>,
-       .description = "blocks of whole gyrations from which the standard errors come, by the jackknife"},
+       .description = "blocks of whole gyrations from which the standard errors are computed by the jackknife"},
       {.name = "crushing_power",
        .units = "W",
        .value = estimate_value<&S::crushing_power>,
@@ -64,7 +61,7 @@ const std::vector<Figure<SteadyFigures>>& steady_figures() {
       {.name = "p80",
        .units = "m",
        .value = estimate_value<&S::p80>,
-       .description = "size that 80 % of the product since then pass",
+       .description = "size that 80 % of the product since then passes",
        .when = with_discharge},
       {.name = "p80_error",
        .units = "m",
@@ -74,7 +71,7 @@ const std::vector<Figure<SteadyFigures>>& steady_figures() {
       {.name = "p50",
        .units = "m",
        .value = estimate_value<&S::p50>,
-       .description = "size that 50 % of the product since then pass",
+       .description = "size that 50 % of the product since then passes",
        .when = with_discharge},
       {.name = "p50_error",
        .units = "m",
@@ -84,7 +81,7 @@ const std::vector<Figure<SteadyFigures>>& steady_figures() {
       {.name = "product_below_css",
        .units = "1",
        .value = estimate_value<&S::product_below_css>,
-       .description = "share of the product since then that passes the closed side setting; none outside the sieves",
+       .description = "share of the product since then that passes the closed side setting; null outside the sieves",
        .when = with_discharge},
       {.name = "product_below_css_error",
        .units = "1",
@@ -94,7 +91,7 @@ const std::vector<Figure<SteadyFigures>>& steady_figures() {
       {.name = "product_below_oss",
        .units = "1",
        .value = estimate_value<&S::product_below_oss>,
-       .description = "share of the product since then that passes the open side setting; none outside the sieves",
+       .description = "share of the product since then that passes the open side setting; null outside the sieves",
        .when = with_discharge},
       {.name = "product_below_oss_error",
        .units = "1",
@@ -116,13 +113,14 @@ const std::vector<Figure<MotorFigures>>& motor_figures() {
       {.name = "from",
        .units = "s",
        .value = field<&S::from>,
-       .description =
-           "the figures are of the rows of /series that begin then or later: since the run is steady, else 0"},
+       .description = "the figures are of the rows of /series that begin at this time or later: when the run becomes "
+                      "steady, or 0"},
       {.name = "mean", .units = "W", .value = field<&S::mean>, .description = "mechanical power at the shaft, mean"},
       {.name = "p95",
        .units = "W",
        .value = field<&S::p95>,
-       .description = "95th percentile of motor_power in the rows of /series: so many rows have at most this"},
+       .description =
+           "95th percentile of motor_power in the rows of /series: 95 % of the rows have at most this value"},
       {.name = "peak",
        .units = "W",
        .value = field<&S::peak>,

@@ -12,7 +12,7 @@ namespace gyro {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON of a figure's value; a number that is not finite, and what is not there, is null.
+/// JSON of the value of a figure. A missing value and a number that is not finite are null.
 Json json_of(double value);
 Json json_of(bool value);
 Json json_of(int value);
@@ -28,8 +28,8 @@ Json json_of(const std::optional<T>& value) {
   return value ? json_of(*value) : Json(nullptr);
 }
 
-/// Fills a value from its JSON, which is not null. @throws Json::exception for JSON of another type; BadInput for an
-/// unknown status
+/// Sets a value from its JSON, which must not be null. @throws Json::exception for JSON of another type; BadInput for
+/// an unknown status
 void read(const Json& json, double& value);
 void read(const Json& json, bool& value);
 void read(const Json& json, int& value);
@@ -52,7 +52,7 @@ inline const Estimate* there(const std::optional<Estimate>& e) {
   return e ? &*e : nullptr;
 }
 
-/// Where a figure's value is: the member of a struct, or one half of an estimate there.
+/// Access to the value of a figure: a member of a struct, or one of the two numbers of an estimate.
 template <auto Member>
 struct Field {
   template <class S>
@@ -98,13 +98,13 @@ struct EstimateError {
 template <auto Member>
 inline constexpr Field<Member> field{};
 template <auto Member>
-inline constexpr TextOrNull<Member> text_or_null{};  ///< null where the text is empty
+inline constexpr TextOrNull<Member> text_or_null{};  ///< null if the text is empty
 template <auto Member>
 inline constexpr EstimateValue<Member> estimate_value{};
 template <auto Member>
-inline constexpr EstimateError<Member> estimate_error{};  ///< stands behind the value in its table
+inline constexpr EstimateError<Member> estimate_error{};  ///< must follow the value in the table
 
-/// How a figure is written and read.
+/// Writes and reads the value of a figure.
 template <class S>
 class FigureValue {
  public:
@@ -118,18 +118,18 @@ class FigureValue {
   void (*fill_)(S&, const Json&);
 };
 
-/// A member of summary.json: what is said of it, where its value comes from, and its line on the terminal.
+/// A member of summary.json: its name, units and description, its value, and its line on the terminal.
 template <class S>
 struct Figure {
   Text name;
   Text units;  ///< "1" for a pure number, "-" for text, lists and yes/no values
   FigureValue<S> value;
   Text description;
-  const char* when = "always";              ///< else it is null
-  std::string (*line)(const S&) = nullptr;  ///< empty where it says nothing about this run
+  const char* when = "always";              ///< when it has a value; otherwise it is null
+  std::string (*line)(const S&) = nullptr;  ///< its line, empty if it does not apply to the run; null: none
 };
 
-/// The tables, in the order of the file and of the terminal.
+/// The tables of figures, in the order of the file and of the lines on the terminal.
 const std::vector<Figure<Summary>>& summary_figures();
 const std::vector<Figure<SteadyFigures>>& steady_figures();
 const std::vector<Figure<MotorFigures>>& motor_figures();
@@ -143,10 +143,10 @@ Json json_of(const std::vector<Figure<S>>& table, const S& s) {
   return json;
 }
 
-/// Fills what the JSON of a struct has; what it lacks or has as null stays as it is.
+/// Sets the members of a struct from JSON. Members that are missing or null in the JSON stay unchanged.
 template <class S>
 void read(const std::vector<Figure<S>>& table, const Json& json, S& s) {
-  if (!json.is_object()) throw BadInput("`" + json.dump() + "` stands where figures should");
+  if (!json.is_object()) throw BadInput("`" + json.dump() + "` is not an object with figures");
   for (const Figure<S>& figure : table)
     if (const auto found = json.find(std::string(figure.name)); found != json.end() && !found->is_null())
       figure.value.fill(s, *found);

@@ -3,8 +3,8 @@
 
 namespace gyro {
 
-/// A literal that may not be left out or be empty: a table whose name, units or description is missing does not
-/// compile.
+/// A literal that must be given and must not be empty: a table in which a name, units or a description is missing does
+/// not compile.
 class Text {
  public:
   consteval Text(const char* text) : text_(text) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Snapshots written with VTK's library.
+// Writes snapshots with VTK's library.
 #include "core/base/errors.hpp"
 #include "io/run/poly_data.hpp"
 #include "io/run/replace_file.hpp"
@@ -32,7 +32,7 @@ vtkNew<vtkTypeUInt32Array> new_array(std::uint32_t) {
   return {};
 }
 
-/// A copy of the values as an array of VTK.
+/// A VTK array with a copy of the values.
 template <class T>
 auto array_of(const std::string& name, int components, const std::vector<T>& values) {
   auto array = new_array(T{});
@@ -48,7 +48,7 @@ void add(const std::vector<PolyArray>& fields, vtkFieldData* to) {
     std::visit([&](const auto& values) { to->AddArray(array_of(field.name, field.components, values)); }, field.values);
 }
 
-/// Cells with 32-bit numbers.
+/// VTK cells with 32-bit numbers.
 vtkNew<vtkCellArray> cells_of(const PolyCells& cells) {
   vtkNew<vtkCellArray> made;
   made->Use32BitStorage();
@@ -89,9 +89,9 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data) {
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
   writer->SetHeaderTypeToUInt64();
-  // Into memory, because VTK does not report every failed write to a file.
+  // The file is written to memory first, because VTK does not report every failed write to a file.
   writer->WriteToOutputStringOn();
-  if (writer->Write() != 1) throw OutputError(path.string() + ": cannot write: VTK could not put the data together");
+  if (writer->Write() != 1) throw OutputError(path.string() + ": cannot write: VTK could not encode the data");
   replace_file(path, writer->GetOutputString());
 }
 

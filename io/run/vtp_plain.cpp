@@ -14,7 +14,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header says LittleEndian");
 
-constexpr std::size_t block_bytes = 1 << 20;  ///< compressed one by one
+constexpr std::size_t block_bytes = 1 << 20;  ///< size of a block; blocks are compressed separately
 
 template <class T>
 constexpr const char* type_name() {
@@ -24,7 +24,7 @@ constexpr const char* type_name() {
   if constexpr (std::is_same_v<T, std::uint32_t>) return "UInt32";
 }
 
-/// The two parts of the file: elements of XML, and the bytes that they point to.
+/// The two parts of the file: the XML elements, and the bytes to which they refer.
 class Vtp {
  public:
   std::string xml, bytes;
@@ -50,8 +50,8 @@ class Vtp {
   }
 
  private:
-  /// Number of blocks, size of a block, size of the last if it is smaller (else 0), compressed size of each, the
-  /// blocks.
+  /// Appends data in the form of VTK: number of blocks, size of a block, size of the last block if it is smaller (else
+  /// 0), compressed size of each block, and the blocks.
   void append(const unsigned char* data, std::size_t size) {
     const std::size_t blocks = (size + block_bytes - 1) / block_bytes;
     std::vector<std::uint64_t> header{blocks, block_bytes, size % block_bytes};

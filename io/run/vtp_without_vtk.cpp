@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Snapshots of a program that was built without VTK's library.
+// Writes snapshots in a program that was built without VTK's library.
 #include "io/run/poly_data.hpp"
 
 namespace gyro {

@@ -113,7 +113,7 @@ TEST_CASE("report prints the summary again, and the log keeps it") {
     const Outcome refused = place.gyrosim(std::string("report ") + nothing);
     CHECK(refused.code == 2);
     CHECK(refused.out.empty());
-    CHECK(refused.err.find("summary.json: cannot be read; give the directory of a run") != std::string::npos);
+    CHECK(refused.err.find("summary.json: does not exist; give the directory of a run") != std::string::npos);
   }
   CHECK(place.gyrosim("report").code == 2);
 }

@@ -18,8 +18,8 @@ using namespace gyro;
 
 namespace {
 
-/// Runs `write` in a process whose files may not grow beyond `bytes`, as on a full disk.
-/// @returns the message of the OutputError, or what happened instead
+/// Runs `write` in a process whose files cannot grow beyond `bytes`, as on a full disk.
+/// @returns the message of the OutputError, or a description of what happened instead
 std::string message_with_limit(rlim_t bytes, const std::function<void()>& write) {
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
@@ -38,7 +38,7 @@ std::string message_with_limit(rlim_t bytes, const std::function<void()>& write)
       message = std::string("other error: ") + error.what();
     }
     const bool told = ::write(ends[1], message.data(), message.size()) == static_cast<ssize_t>(message.size());
-    std::exit(told ? 0 : 1);  // with everything a program does at its end
+    std::exit(told ? 0 : 1);  // runs everything that a program does at its end
   }
   ::close(ends[1]);
   std::string message(4096, '\0');
@@ -61,10 +61,10 @@ void write_results(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("A full disk while results are written is an OutputError") {
+TEST_CASE("A full disk during the writing of results is an OutputError") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
-  // From a disk that is full at once to one that is full at the last rows (1.9 MB of data).
+  // The disk is full at once, later, or only at the last rows (of 1.9 MB of data).
   for (const rlim_t limit : {0, 500, 5000, 50000, 500000, 1800000}) {
     CAPTURE(limit);
     const std::string message = message_with_limit(limit, [&] { write_results(path); });
@@ -74,7 +74,7 @@ TEST_CASE("A full disk while results are written is an OutputError") {
   CHECK(message_with_limit(10000000, [&] { write_results(path); }) == "no error");
 }
 
-TEST_CASE("A full disk while a snapshot is written is an OutputError") {
+TEST_CASE("A full disk during the writing of a snapshot is an OutputError") {
   const ScratchDirectory scratch;
   ParticleSnapshot particles;
   for (Index p = 0; p < 5000; ++p) {
@@ -96,7 +96,7 @@ TEST_CASE("A full disk while a snapshot is written is an OutputError") {
   CHECK(std::filesystem::is_empty(scratch.path() / "snapshots"));
 }
 
-TEST_CASE("A full disk leaves the earlier file as it was") {
+TEST_CASE("A full disk leaves the earlier summary unchanged") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "summary.json";
   write_summary({.status = RunStatus::done, .simulated_seconds = 2}, scratch.path());
@@ -106,7 +106,7 @@ TEST_CASE("A full disk leaves the earlier file as it was") {
   CHECK_FALSE(std::filesystem::exists(path.string() + ".tmp"));
 }
 
-TEST_CASE("A full disk while a checkpoint is written leaves the earlier one and no rest") {
+TEST_CASE("A full disk leaves the earlier checkpoint unchanged and no temporary file") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "checkpoint.h5";
   SavedState old, large;

@@ -22,7 +22,7 @@ ResultsContent content_of_writer() {
   return content;
 }
 
-/// Writes rows and flushes every few until it is killed. Tells through the pipe when it has begun.
+/// Writes rows, and flushes after every few rows, until it is killed. Writes a byte to the pipe when it has begun.
 [[noreturn]] void write_forever(const std::filesystem::path& path, int pipe_end) {
   ResultsFile results(path, content_of_writer());
   for (int row = 0;; ++row) {
@@ -33,7 +33,7 @@ ResultsContent content_of_writer() {
   }
 }
 
-/// Every channel must hold 0, 1, 2, ... whatever its length.
+/// Requires that a channel contains 0, 1, 2, ... @return number of its rows
 std::size_t count_good_rows(const hdf5::Dataset& dataset) {
   const std::vector<double> values = dataset.read();
   for (std::size_t row = 0; row < values.size(); ++row) REQUIRE(values[row] == static_cast<double>(row));
@@ -54,7 +54,8 @@ SavedState state_number(int number) {
   }
 }
 
-/// Starts `write`, which tells through a pipe when it has begun; waits, looks, kills it.
+/// Starts `write` in another process and waits until it has written a byte to a pipe, and then for a time. Then calls
+/// `look`, and kills the process.
 template <class Write, class Look>
 void kill_writer_after(useconds_t microseconds, const Write& write, const Look& look) {
   int ends[2];
@@ -85,7 +86,7 @@ TEST_CASE("Results can be read while they are written, and read and repaired aft
     kill_writer_after(
         static_cast<useconds_t>(wait), [&](int pipe_end) { write_forever(path, pipe_end); },
         [&] {
-          const hdf5::File growing = hdf5::File::open(path);  // another process writes it at this moment
+          const hdf5::File growing = hdf5::File::open(path);  // another process is writing it
           CHECK(count_good_rows(growing.dataset("/series/channel_0")) >= 70);
         });
     std::size_t rows = 0;
@@ -101,7 +102,7 @@ TEST_CASE("Results can be read while they are written, and read and repaired aft
   }
 }
 
-TEST_CASE("A checkpoint is whole whenever its writer is killed, and at any moment before") {
+TEST_CASE("A checkpoint is complete at any time, also after its writer was killed") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "checkpoint.h5";
   const auto check_whole = [&] {

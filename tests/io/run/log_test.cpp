@@ -21,7 +21,7 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Sends standard error to a file while it lives.
+/// Redirects standard error to a file while this object exists.
 class Redirection {
  public:
   explicit Redirection(const std::filesystem::path& path) : kept_(::dup(STDERR_FILENO)) {
@@ -40,7 +40,7 @@ class Redirection {
 
 }  // namespace
 
-TEST_CASE("The log holds everything, standard error only warnings and errors") {
+TEST_CASE("The log contains all messages, and standard error only warnings and errors") {
   const ScratchDirectory scratch;
   {
     const Redirection redirection(scratch.path() / "stderr");

@@ -14,7 +14,7 @@ using Form = ProgressStyle::Form;
 
 namespace {
 
-/// A run at constant speed on a clock that the test turns. @returns what was shown
+/// Progress of a run at constant speed with a clock that the test sets. @returns the text that was shown
 std::string run_shown(ProgressStyle style, double duration, double wall_seconds, int updates) {
   std::ostringstream out;
   double now = 100;
@@ -38,21 +38,21 @@ std::ptrdiff_t lines_in(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Plain lines come each 2 percent or 10 seconds, without control characters") {
+TEST_CASE("Plain lines are shown every 2 percent or 10 seconds, without control characters") {
   const std::string minutes = run_shown({Form::lines}, 2.0, 100, 10000);
   CHECK(lines_in(minutes) >= 48);
   CHECK(lines_in(minutes) <= 51);
   CHECK_THAT(minutes, !Contains("\033") && !Contains("\r"));
   CHECK_THAT(minutes, Contains("10 M particle-steps/s, 1234 particles"));
-  CHECK(lines_in(run_shown({Form::lines}, 2.0, 3, 10000)) <= 4);         // a short run does not flood
-  CHECK(lines_in(run_shown({Form::lines}, 2.0, 43200, 1000000)) < 400);  // nor does one of 12 hours
+  CHECK(lines_in(run_shown({Form::lines}, 2.0, 3, 10000)) <= 4);         // few lines for a short run
+  CHECK(lines_in(run_shown({Form::lines}, 2.0, 43200, 1000000)) < 400);  // and for a run of 12 hours
   CHECK(run_shown({Form::silent}, 2.0, 100, 1000).empty());
 }
 
-TEST_CASE("The time left is that of a run at constant speed") {
+TEST_CASE("The time left of a resumed run is computed from the speed of this process") {
   std::ostringstream out;
   double now = 0;
-  // A run that goes on at half of its time: shares are of the whole, rates of what this process has done.
+  // The run is resumed at half of its time: the percentage is of the whole run, the rates are those of this process.
   Progress progress({.time = 1, .particle_steps = 7'000'000'000}, 2, {Form::lines}, out, [&] { return now; });
   now = 50;
   progress.update({.time = 1.25, .particle_steps = 7'050'000'000, .particles = 10});
@@ -86,7 +86,7 @@ TEST_CASE("A live line rewrites itself and fits the terminal") {
     CHECK((text.find("\033[36m") != std::string::npos) == colour);
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, '\r');) {
-      // Characters, not bytes, and none for colours.
+      // Counts characters, not bytes, without the control sequences of colours.
       int width = 0;
       for (std::size_t k = 0; k < part.size(); ++k) {
         if (part[k] == '\033') {
@@ -100,7 +100,7 @@ TEST_CASE("A live line rewrites itself and fits the terminal") {
   }
 }
 
-TEST_CASE("Progress shows only what the scene has") {
+TEST_CASE("Progress shows only quantities that the scene has") {
   const auto last = [](const ProgressState& state) {
     std::ostringstream out;
     double now = 0;
@@ -116,8 +116,8 @@ TEST_CASE("Progress shows only what the scene has") {
   CHECK_THAT(full, Contains("12 bonds broken, 160.0 rpm, 123.5 kW"));
 }
 
-TEST_CASE("Output that is no terminal gets plain lines without colour") {
-  // ctest gives no terminal; under one the form is live.
+TEST_CASE("Progress is plain and without colour unless standard error is a terminal") {
+  // Under ctest standard error is not a terminal; if it is one, the form is live.
   const ProgressStyle style = ProgressStyle::for_stderr(false);
   CHECK((style.form == Form::live || !style.colour));
   CHECK(ProgressStyle::for_stderr(true).form == Form::silent);
@@ -126,7 +126,7 @@ TEST_CASE("Output that is no terminal gets plain lines without colour") {
   ::unsetenv("NO_COLOR");
 }
 
-TEST_CASE("Durations and counts for people") {
+TEST_CASE("Durations and counts are printed in a readable form") {
   CHECK(format_duration(0.44) == "0.4 s");
   CHECK(format_duration(9.96) == "10 s");
   CHECK(format_duration(59.7) == "1 min 00 s");

@@ -116,7 +116,7 @@ TEST_CASE("Numbers of all kinds and wide rows read back as they were written") {
   CHECK(file.dataset("/liners/mantle/pressure").read() == std::vector<double>(5000, 1.5e6));
 }
 
-TEST_CASE("Every dataset says its units, its sampling and what it is") {
+TEST_CASE("Every dataset has attributes for units, sampling and description") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   write_run(path, 1);
@@ -130,7 +130,7 @@ TEST_CASE("Every dataset says its units, its sampling and what it is") {
   CHECK(sizes.string_attribute("description") == "of sieves");
 }
 
-TEST_CASE("What a case does not have is not in its results") {
+TEST_CASE("The results contain only the groups of their content") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   ResultsContent content;
@@ -146,19 +146,19 @@ TEST_CASE("What a case does not have is not in its results") {
   CHECK(file.dataset("/series/time").read().empty());
 }
 
-TEST_CASE("The same run twice gives the same file") {
+TEST_CASE("The same rows written twice give the same file") {
   const ScratchDirectory scratch;
   write_run(scratch.path() / "a.h5", 1500);
   write_run(scratch.path() / "b.h5", 1500);
   CHECK(bytes(scratch.path() / "a.h5") == bytes(scratch.path() / "b.h5"));
 }
 
-TEST_CASE("A growing file can be read") {
+TEST_CASE("A file can be read while it grows") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   ResultsFile results(path, full_content());
   results.append("/ledger", std::vector{1.0, 2.0});
-  CHECK(hdf5::File::open(path).dataset("/ledger/kinetic").rows() == 0);  // waits in memory
+  CHECK(hdf5::File::open(path).dataset("/ledger/kinetic").rows() == 0);  // the row is still in memory
   results.flush();
   CHECK(hdf5::File::open(path).dataset("/ledger/kinetic").read() == std::vector{2.0});
 }
@@ -179,7 +179,7 @@ TEST_CASE("Many flushes do not bloat the file") {
   CHECK(std::filesystem::file_size(scratch.path() / "results.h5") < 1.2 * static_cast<double>(data));
 }
 
-TEST_CASE("Strings, compressed chunks and attributes of HDF5 files") {
+TEST_CASE("Strings, compressed chunks and attributes of HDF5 files read back as written") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "any.h5";
   const std::vector<std::string> names{"concave", "", "Mantel ü"};
@@ -209,11 +209,11 @@ TEST_CASE("Strings, compressed chunks and attributes of HDF5 files") {
   CHECK_THROWS_AS(file.dataset("/nowhere"), OutputError);
 }
 
-TEST_CASE("Errors name the file and the reason") {
+TEST_CASE("Errors of HDF5 files name the file and the reason") {
   const ScratchDirectory scratch;
   try {
     hdf5::File::create(scratch.path() / "missing" / "results.h5");
-    FAIL("created a file in a directory that is not there");
+    FAIL("created a file in a directory that does not exist");
   } catch (const OutputError& error) {
     CHECK_THAT(error.what(), Catch::Matchers::Contains("missing/results.h5"));
     CHECK_THAT(error.what(), Catch::Matchers::Contains("No such file or directory"));
@@ -222,12 +222,12 @@ TEST_CASE("Errors name the file and the reason") {
   CHECK_THROWS_AS(hdf5::File::open(scratch.path() / "text.h5"), OutputError);
 }
 
-TEST_CASE("Results that go on behind the rows kept read as if never interrupted") {
+TEST_CASE("Results that are continued after the kept rows equal those of an uninterrupted run") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5", whole = scratch.path() / "whole.h5";
   const int keep = GENERATE(0, 1, 700, 2499, 2500);
   write_run(whole, 2500);
-  write_run(path, 2500);  // has gone on past its checkpoint
+  write_run(path, 2500);  // has continued after its checkpoint
   const ResultsRows rows{{"/series", keep}, {"/ledger", keep},     {"/breakage", 0},
                          {"/product", 0},   {"/liners/mantle", 0}, {"/liners/mantle/triangles", 0}};
   {
@@ -253,7 +253,7 @@ ResultsRows rows_of_series(int rows) {
 
 }  // namespace
 
-TEST_CASE("Results that lack rows or tables of the checkpoint are refused and stay as they were") {
+TEST_CASE("Results that do not match the checkpoint are refused and stay unchanged") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   ResultsRows rows = rows_of_series(10);
@@ -269,11 +269,11 @@ TEST_CASE("Results that lack rows or tables of the checkpoint are refused and st
   other = full_content();
   other.groups[3].channels.pop_back();
   CHECK_THROWS_WITH(ResultsFile(path, other, rows),
-                    Catch::Matchers::Contains("has /product/passing, which would end here"));
+                    Catch::Matchers::Contains("has /product/passing, which this run does not write"));
   CHECK(bytes(path) == before);
 }
 
-TEST_CASE("A file whose writer was killed just after it was opened goes on") {
+TEST_CASE("A file whose writer was killed just after opening it can be continued") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   write_run(path, 9);
@@ -289,8 +289,8 @@ TEST_CASE("A file whose writer was killed just after it was opened goes on") {
 
 namespace {
 
-/// Resumes a file in a process of its own. @returns its exit code: 0, 2 for BadInput, 5 for OutputError; -1 after a
-/// crash, or when it takes more than 20 s
+/// Resumes a file in a separate process. @returns its exit code: 0, 2 for BadInput, 5 for OutputError; -1 after a
+/// crash, or if it takes more than 20 s
 int resume_in_child(const std::filesystem::path& path, int rows) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -314,7 +314,7 @@ int resume_in_child(const std::filesystem::path& path, int rows) {
 
 }  // namespace
 
-TEST_CASE("A results file with a changed bit goes on or is refused, and neither hangs nor crashes") {
+TEST_CASE("A results file with a changed bit is continued or refused, without a hang or crash") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   write_run(path, 200);
@@ -322,7 +322,7 @@ TEST_CASE("A results file with a changed bit goes on or is refused, and neither 
   int refused = 0;
   for (std::uint64_t k = 0; k < 150; ++k) {
     std::string changed = whole;
-    // The first half of them in the head of the file, where the library keeps its tables.
+    // Half of the changes are in the first 4 kB of the file, where the library stores its tables.
     const auto at =
         static_cast<std::size_t>(uniform(1, Stream::place, k, 0) * static_cast<double>(k < 75 ? 4096 : whole.size()));
     changed[at] = static_cast<char>(changed[at] ^ (1 << (k % 8)));
@@ -335,7 +335,7 @@ TEST_CASE("A results file with a changed bit goes on or is refused, and neither 
   CHECK(refused > 20);
 }
 
-TEST_CASE("A results file that was cut off is refused, and nothing hangs") {
+TEST_CASE("A results file that was cut off is refused without a hang") {
   const ScratchDirectory scratch;
   const auto path = scratch.path() / "results.h5";
   write_run(path, 5000);

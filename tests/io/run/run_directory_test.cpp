@@ -22,7 +22,7 @@ void touch(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("Runs without --out are numbered and always new") {
+TEST_CASE("Runs without --out get a new numbered directory") {
   const ScratchDirectory scratch;
   const fs::path before = fs::current_path();
   fs::current_path(scratch.path());
@@ -41,17 +41,17 @@ TEST_CASE("Runs without --out are numbered and always new") {
   fs::current_path(before);
 }
 
-TEST_CASE("A new or empty --out is fresh, also with --resume") {
+TEST_CASE("A run in a new or empty --out is fresh, also with --resume") {
   const ScratchDirectory scratch;
   const fs::path out = scratch.path() / "a" / "b";
   CHECK(open_run_directory({.out = out}).state == State::fresh);
   CHECK(open_run_directory({.out = out, .resume = true}).state == State::fresh);
-  CHECK(fs::is_empty(out));  // the probe is gone
+  CHECK(fs::is_empty(out));  // the probe was removed
   touch(out / "notes.txt");
   CHECK(open_run_directory({.out = out}).state == State::fresh);
 }
 
-TEST_CASE("A finished run is left alone") {
+TEST_CASE("A finished run is left unchanged unless --overwrite is given") {
   const ScratchDirectory scratch;
   write_summary({.status = RunStatus::done, .simulated_seconds = 2}, scratch.path());
   const RunDirectory plain = open_run_directory({.out = scratch.path()});
@@ -62,7 +62,7 @@ TEST_CASE("A finished run is left alone") {
   CHECK(fs::is_empty(scratch.path()));
 }
 
-TEST_CASE("A half-done run asks for --overwrite") {
+TEST_CASE("A half-done run is refused without --resume or --overwrite") {
   const ScratchDirectory scratch;
   touch(scratch.path() / "results.h5");  // killed before it wrote a summary
   CHECK_THROWS_WITH(open_run_directory({.out = scratch.path()}), Contains("--overwrite"));
@@ -90,7 +90,7 @@ TEST_CASE("Option --overwrite removes what a run wrote and nothing else") {
         std::vector<std::string>{"notes.txt", "particles.pvd.bak", "picture.png", "snapshots/particles_mine.vtp"});
 }
 
-TEST_CASE("The user's own case.yaml is not taken for a run's") {
+TEST_CASE("A case.yaml alone is taken for the user's own and is not removed") {
   const ScratchDirectory scratch;
   touch(scratch.path() / "case.yaml");
   CHECK_THROWS_AS(open_run_directory({.out = scratch.path()}), BadInput);
@@ -98,10 +98,10 @@ TEST_CASE("The user's own case.yaml is not taken for a run's") {
   CHECK(fs::exists(scratch.path() / "case.yaml"));
 }
 
-TEST_CASE("An output that is a file is bad input, one that cannot be made is an output error") {
+TEST_CASE("An --out that is a file is bad input, and a directory that cannot be made is an output error") {
   const ScratchDirectory scratch;
   touch(scratch.path() / "file");
   CHECK_THROWS_AS(open_run_directory({.out = scratch.path() / "file"}), BadInput);
   CHECK_THROWS_AS(open_run_directory({.out = scratch.path() / "file" / "below"}), OutputError);
-  CHECK_THROWS_AS(open_run_directory({.out = "/proc/gyrosim-run"}), OutputError);  // unwritable for root, too
+  CHECK_THROWS_AS(open_run_directory({.out = "/proc/gyrosim-run"}), OutputError);  // also root cannot write there
 }

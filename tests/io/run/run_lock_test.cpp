@@ -28,14 +28,14 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// run.lock as a run on another machine leaves it, with or without signs of life.
+/// Writes run.lock like a run on another machine, after `beat` signs of life.
 void write_foreign_lock(const fs::path& folder, int beat) {
   std::ofstream(folder / "run.lock") << "host elsewhere\npid 17\nsince 2026-11-30T04:00:00Z\nbeat " << beat << "\n";
 }
 
 }  // namespace
 
-TEST_CASE("A directory has one writer, who is named to the second") {
+TEST_CASE("A directory has only one writer, and a second one is refused with the process of the first") {
   const ScratchDirectory folder;
   std::optional<RunLock> first;
   first.emplace(folder.path());
@@ -47,7 +47,7 @@ TEST_CASE("A directory has one writer, who is named to the second") {
   CHECK_NOTHROW(RunLock(folder.path()));
 }
 
-TEST_CASE("The lock of a process that was killed is free") {
+TEST_CASE("The lock of a process that was killed can be taken") {
   const ScratchDirectory folder;
   int ready[2];
   REQUIRE(::pipe(ready) == 0);
@@ -68,7 +68,7 @@ TEST_CASE("The lock of a process that was killed is free") {
   ::close(ready[1]);
 }
 
-TEST_CASE("A run on another machine holds its directory while it gives signs of life") {
+TEST_CASE("A run on another machine holds its lock while it gives signs of life") {
   const ScratchDirectory folder;
   write_foreign_lock(folder.path(), 0);
   std::jthread other([&](const std::stop_token& stop) {
@@ -92,7 +92,7 @@ TEST_CASE("The holder of a lock gives signs of life") {
   CHECK(read(folder.path() / "run.lock") != before);
 }
 
-TEST_CASE("A holder that was suspended too long finds that another run has its directory, and leaves it") {
+TEST_CASE("A holder that has lost its lock to another run detects this and leaves the other run's file") {
   const ScratchDirectory folder;
   {
     const RunLock held(folder.path(), quick);
@@ -104,7 +104,7 @@ TEST_CASE("A holder that was suspended too long finds that another run has its d
   CHECK_THAT(read(folder.path() / "run.lock"), Contains("host elsewhere"));
 }
 
-TEST_CASE("An open run directory cannot be opened again before it is closed") {
+TEST_CASE("A run directory cannot be opened by a second run at the same time") {
   const ScratchDirectory folder;
   {
     const RunDirectory first = open_run_directory({.out = folder.path()});
@@ -112,7 +112,7 @@ TEST_CASE("An open run directory cannot be opened again before it is closed") {
     CHECK_THROWS_WITH(open_run_directory({.out = folder.path(), .resume = true}), Contains("still writing here"));
     std::ofstream(folder.path() / "results.h5") << "rows";
     CHECK_THROWS_WITH(lock_run_directory(folder.path()), Contains("still writing here"));
-    CHECK(fs::file_size(folder.path() / "results.h5") == 4);  // of the first run, untouched
+    CHECK(fs::file_size(folder.path() / "results.h5") == 4);  // the file of the first run is unchanged
   }
   std::filesystem::remove(folder.path() / "results.h5");
   {

@@ -8,12 +8,12 @@
 
 namespace gyro {
 
-/// An empty directory that goes away with its owner.
+/// A new empty directory that is removed with this object.
 class ScratchDirectory {
  public:
   ScratchDirectory() {
     std::string name = (std::filesystem::temp_directory_path() / "gyrosim-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch directory");
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a scratch directory");
     path_ = name;
   }
   ~ScratchDirectory() { std::filesystem::remove_all(path_); }

@@ -125,7 +125,7 @@ TEST_CASE("Walls read back with VTK as they were written") {
   CHECK(data->GetPoint(6)[2] == 2);
 }
 
-TEST_CASE("Walls that never change are written once and are a part of every frame") {
+TEST_CASE("Walls that never change are written once and belong to every frame") {
   const ScratchDirectory scratch;
   const PosedWall fixed[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 1, {}}};
   const auto moving = [](double z) { return PosedWall{{{{0, 0, z}, {1, 0, z}, {0, 1, z}}, {{0, 1, 2}}}, 0, {}}; };
@@ -149,7 +149,7 @@ TEST_CASE("Walls that never change are written once and are a part of every fram
   CHECK(read(scratch.path() / "snapshots/walls_000001.vtp")->GetPoint(0)[2] == 0.25);
 }
 
-TEST_CASE("Loads are fields of the walls that have them, and no number elsewhere") {
+TEST_CASE("Loads are fields of the walls that have them, and NaN for other walls") {
   const ScratchDirectory scratch;
   const TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const PosedWall walls[] = {{one, 0, {}}, {one, 1, WallLoads{{2e5}, {3}, {4e-6}}}, {one, 2, {}}};
@@ -163,7 +163,7 @@ TEST_CASE("Loads are fields of the walls that have them, and no number elsewhere
   CHECK(std::isnan(value(fields, "wear", 2)));
 }
 
-TEST_CASE("The time of a frame does not grow with their number") {
+TEST_CASE("The cost of a frame does not grow with the number of frames") {
   const ScratchDirectory scratch;
   const auto index_bytes = [&] { return std::filesystem::file_size(scratch.path() / "particles.pvd"); };
   const ParticleSnapshot none_left;
@@ -174,11 +174,11 @@ TEST_CASE("The time of a frame does not grow with their number") {
   const auto bytes = index_bytes();
   for (int frame = 1; frame < 200; ++frame) writer.write({.time = 0.001 * frame, .particles = &none_left});
   ::stat((scratch.path() / "particles.pvd").c_str(), &after);
-  CHECK(before.st_ino == after.st_ino);  // lines were added: the index was not written again
+  CHECK(before.st_ino == after.st_ino);  // lines were appended, and the index was not rewritten
   CHECK(index_bytes() > 199 * (bytes / 4));
 }
 
-TEST_CASE("The files have the fields that the reference names, with as many components") {
+TEST_CASE("The files have the fields of the reference page, with the same numbers of components") {
   const ScratchDirectory scratch;
   const ParticleSnapshot particles = three_particles();
   const BondSnapshot bonds{{0}, {1}, {-5}, {0.5}, {0.125}};
@@ -196,7 +196,7 @@ TEST_CASE("The files have the fields that the reference names, with as many comp
   CHECK(described == written);
 }
 
-TEST_CASE("The indices name every frame with its time, also after a resume") {
+TEST_CASE("The indices contain every frame with its time, also after a resume") {
   const ScratchDirectory scratch;
   const ParticleSnapshot particles = three_particles();
   {
@@ -214,7 +214,7 @@ TEST_CASE("The indices name every frame with its time, also after a resume") {
   CHECK_FALSE(std::filesystem::exists(scratch.path() / "particles.pvd.tmp"));
 }
 
-TEST_CASE("Frames behind those that a resumed run keeps go, from the index and from the disk") {
+TEST_CASE("Frames after those that a resumed run keeps are removed from index and disk") {
   const ScratchDirectory scratch;
   const ParticleSnapshot particles = three_particles();
   {

@@ -18,7 +18,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-/// A row of three.
+/// A row of three numbers.
 struct Place {
   float x, y, z;
 };
@@ -75,7 +75,7 @@ void put_bytes(const std::filesystem::path& file, const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("A state comes back from its file to the bit") {
+TEST_CASE("A state reads back from its file to the bit") {
   const ScratchDirectory scratch;
   const auto file = scratch.path() / "checkpoint.h5";
   write_state(file, some_state());
@@ -109,7 +109,7 @@ TEST_CASE("A state file with any byte changed is refused") {
   }
 }
 
-TEST_CASE("A state file in which a part was lost as zeros is refused") {
+TEST_CASE("A state file in which a part was replaced by zeros is refused") {
   const ScratchDirectory scratch;
   const auto file = scratch.path() / "checkpoint.h5";
   SavedState state;
@@ -121,7 +121,7 @@ TEST_CASE("A state file in which a part was lost as zeros is refused") {
   CHECK_THROWS_AS(read_state(file), BadInput);
 }
 
-TEST_CASE("A state file that is cut off, empty, missing, no state or of another form is refused") {
+TEST_CASE("A file that is cut off, empty, missing, not a state or of another format is refused") {
   const ScratchDirectory scratch;
   const auto file = scratch.path() / "checkpoint.h5";
   CHECK_THROWS_WITH(read_state(file), StartsWith(file.string()) && Contains("no such checkpoint"));

@@ -13,7 +13,7 @@
 using namespace gyro;
 using Catch::Matchers::Contains;
 
-TEST_CASE("The summary holds every fixed field, null where it is not defined") {
+TEST_CASE("The summary contains all its members, and undefined ones are null") {
   Summary summary;
   summary.status = RunStatus::interrupted;
   summary.particle_steps = 3000000000;
@@ -53,7 +53,7 @@ TEST_CASE("The summary holds every fixed field, null where it is not defined") {
   CHECK(json["stalled"] == false);
 }
 
-TEST_CASE("A written summary is found again, anything else is none") {
+TEST_CASE("A summary is found in a directory, and other files are not taken for one") {
   const ScratchDirectory scratch;
   CHECK_FALSE(read_summary(scratch.path()));
   write_summary({.status = RunStatus::done, .title = "bad byte \xff", .simulated_seconds = 1.25}, scratch.path());
@@ -67,7 +67,7 @@ TEST_CASE("A written summary is found again, anything else is none") {
   }
 }
 
-TEST_CASE("The text shows what the run has and fits a screen") {
+TEST_CASE("The text shows only what applies to the run, and fits on a screen") {
   Summary summary;
   summary.status = RunStatus::done;
   summary.title = "Quickstart";
@@ -105,7 +105,7 @@ TEST_CASE("The text shows what the run has and fits a screen") {
   CHECK_THAT(to_text(summary, "out"), Contains("  41 % below CSS\n"));
 }
 
-TEST_CASE("A summary that was read prints the same text, whatever it has") {
+TEST_CASE("A summary that was read back prints the same text") {
   const ScratchDirectory scratch;
   Summary s;
   s.status = RunStatus::stopped;
@@ -166,16 +166,16 @@ TEST_CASE("A summary that was read prints the same text, whatever it has") {
   CHECK(to_text(load_summary(scratch.path()), "out") == to_text(s, "out"));
 }
 
-TEST_CASE("What is no summary is refused with the file and what to do") {
+TEST_CASE("A file that is not a summary is refused with its path and what to do") {
   const ScratchDirectory scratch;
   CHECK_THROWS_WITH(load_summary(scratch.path()),
-                    Contains("summary.json: cannot be read; give the directory of a run"));
+                    Contains("summary.json: does not exist; give the directory of a run"));
   for (const char* text : {"", "{\"status\":", "[1, 2]", "{\"status\": 3}", "{\"status\": \"odd\"}", "{}",
                            "{\"status\": \"done\", \"p80\": \"large\"}", "{\"status\": \"done\", \"steady\": 3}"}) {
     INFO(text);
     std::ofstream(scratch.path() / "summary.json") << text;
     CHECK_THROWS_AS(load_summary(scratch.path()), BadInput);
-    CHECK_THROWS_WITH(load_summary(scratch.path()), Contains("summary.json: is no summary of a run") && Contains("; "));
+    CHECK_THROWS_WITH(load_summary(scratch.path()), Contains("summary.json: is not a summary of a") && Contains("; "));
   }
   std::ofstream(scratch.path() / "summary.json") << "{\"status\": \"done\", \"new\": [1]}";  // of another version
   CHECK(load_summary(scratch.path()).status == RunStatus::done);
@@ -189,7 +189,7 @@ TEST_CASE("The text marks the figures of a start-up, and shows a steady part wit
   s.specific_energy_kwh_per_t = 0.0147;
   s.feed_mass = 2.442;
   s.discharged_mass = 0.0064;
-  CHECK_THAT(to_text(s, "out"), !Contains("start-up"));  // without a drive nobody can tell
+  CHECK_THAT(to_text(s, "out"), !Contains("start-up"));  // without a drive it is unknown
   s.not_steady = "the chamber is still filling";
   const std::string start_up = to_text(s, "out");
   for (const char* line : {"not steady        the chamber is still filling; the figures below are of the start-up\n",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two writers of snapshots: what VTK reads from both must be the same.
+// The two writers of snapshots: VTK must read the same data from the files of both.
 #include "io/run/poly_data.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run/scratch.hpp"
@@ -100,7 +100,7 @@ PolyData strip(int points) {
 
 }  // namespace
 
-TEST_CASE("Both writers give files in which VTK finds the same") {
+TEST_CASE("VTK reads the same data from the files of both writers") {
   require_same_files(strip(4));
   require_same_files(strip(200'000));  // more than one block
   PolyData timeless = strip(5);
@@ -108,7 +108,7 @@ TEST_CASE("Both writers give files in which VTK finds the same") {
   require_same_files(timeless);
 }
 
-TEST_CASE("Both writers give the same for nothing") {
+TEST_CASE("VTK reads the same data from the files of both writers if there are no points") {
   PolyData none;
   none.point_fields = {{"real", 1, std::vector<float>{}}};
   none.time = 1;
