@@ -49,7 +49,7 @@ std::vector<SnapshotField> snapshot_fields();
 /// snapshots/walls_fixed.vtp once, and the ParaView indices {particles,bonds,walls}.pvd.
 ///
 /// particles: points with one vertex cell, all fields at the points. bonds: one line for each bond, with two points of
-/// its own; the radius is a field of the points, the others are fields of the lines. walls: triangles with their fields.
+/// its own; the radius is a field of the points, the others of the lines. walls: triangles with their fields.
 /// @throws OutputError if a file cannot be written
 class SnapshotWriter {
  public:
