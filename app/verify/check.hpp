@@ -8,15 +8,15 @@
 
 namespace gyro::verify {
 
-/// One line of `gyrosim verify`: a number that the engine gave beside the number that theory gives.
+/// One line of `gyrosim verify`: a number measured in the engine, and the number from theory.
 struct Check {
   std::string name;  ///< group/case/quantity, lower case
   std::string precision;
   double measured = 0, reference = 0;
-  double error = 0;      ///< |measured - reference|, over |reference| where the check is relative
+  double error = 0;      ///< |measured - reference|, divided by |reference| if the check is relative
   double tolerance = 0;  ///< largest error that passes
   std::string source;    ///< of the reference
-  bool pass() const { return error <= tolerance; }  // an error that is not a number does not pass
+  bool pass() const { return error <= tolerance; }  // false if the error is NaN
 };
 
 /// Tolerances of a quantity in the two precisions.

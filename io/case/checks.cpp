@@ -236,7 +236,7 @@ void expect_order(const Setting& root, std::string_view section, std::string_vie
     log.add(a->mark, std::string(small) + " is not smaller than " + std::string(large) + "; give a smaller size");
 }
 
-/// Refuses keys that refine one form of a section beside another form.
+/// Refuses keys that belong to the form `other` of a section if the section has the form `form`.
 void refuse_beside(const Setting& root, const std::string& section, const std::string& form, const std::string& other,
                    std::initializer_list<const char*> keys, CaseProblems& log) {
   const Setting* said = root.find(section);
