@@ -76,10 +76,10 @@ Holder holder_in(int file) {
 [[noreturn]] void refuse(const fs::path& path, const Holder& holder) {
   const std::string who =
       holder.host.empty() ? "another process"
-                          : "process " + std::to_string(holder.pid) + " on " + holder.host + ", since " + holder.since;
+                          : "process " + std::to_string(holder.pid) + " on " + holder.host + " since " + holder.since;
   throw BadInput(
       path.parent_path().string() + ": a run is still writing here (" + who +
-      "); wait for its end or stop it, or give another directory with --out. If that process is not a run of gyrosim, "
+      "); wait until it ends, stop it, or give another directory with --out. If that process is not a run of gyrosim, "
       "remove run.lock");
 }
 
@@ -104,8 +104,9 @@ bool is_file_of(const fs::path& path, int file) {
 /// Whether the holder gives a sign of life within times.patience. The file is opened again for each check, because NFS
 /// then asks the server.
 bool gives_sign_of_life(const fs::path& path, const Holder& holder, LockTimes times) {
-  std::cerr << path.string() << " is of process " << holder.pid << " on " << holder.host << ", since " << holder.since
-            << "; checking for " << std::chrono::duration_cast<std::chrono::seconds>(times.patience).count()
+  std::cerr << path.string() << " is held by process " << holder.pid << " on " << holder.host << " since "
+            << holder.since << "; checking for "
+            << std::chrono::duration_cast<std::chrono::seconds>(times.patience).count()
             << " s whether that process is still running\n";
   const auto end = std::chrono::steady_clock::now() + times.patience;
   while (std::chrono::steady_clock::now() < end) {
