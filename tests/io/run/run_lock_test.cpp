@@ -77,7 +77,7 @@ TEST_CASE("A run on another machine holds its lock while it gives signs of life"
       std::this_thread::sleep_for(5ms);
     }
   });
-  CHECK_THROWS_WITH(RunLock(folder.path(), quick), Contains("process 17 on elsewhere, since 2026-11-30T04:00:00Z"));
+  CHECK_THROWS_WITH(RunLock(folder.path(), quick), Contains("process 17 on elsewhere since 2026-11-30T04:00:00Z"));
   other.request_stop();
   other.join();
   CHECK_NOTHROW(RunLock(folder.path(), quick));
