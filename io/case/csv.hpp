@@ -25,10 +25,15 @@ struct CsvTable {
   int column(std::string_view name) const;
 };
 
+/// " (3 more rows like this)", behind a problem that many rows have; empty for none.
+std::string rows_like_this(std::size_t more);
+
 /// Reads a table as spreadsheets write it: cells between commas, semicolons or tabs, as the header has them; quotes;
 /// decimal points, or decimal commas where they cannot be mistaken; a byte-order mark; any line ends. "1,500" is
-/// refused unless another cell, such as 2,5 or 0,125, shows that the commas of the file are decimal. Lines that begin
-/// with #, empty rows and empty columns behind the last are skipped. A cause that many rows share is one problem.
+/// refused unless another cell, such as 2,5 or 0,125, shows that the commas of the file are decimal; so is "1.500"
+/// beside whole numbers below 1000, in a file of semicolons or tabs that has no other decimal points. Where all numbers
+/// of a column are like 1.500, the points are decimal. Lines that begin with #, empty rows and empty columns behind the
+/// last are skipped. A cause that many rows share is one problem.
 /// @param header  columns that must be there, in this order
 /// @param groups  columns that may follow, in this order, each group whole or not at all
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& header,

@@ -73,7 +73,7 @@ const std::vector<Key> table = {
             "negative torque, are the generator's."},
     {.path = "drivetrain.motor.speed", .type = quantity, .dimension = angular_speed, .range = positive, .when = "model=constant_speed",
      .doc = "Speed of the motor."},
-    {.path = "drivetrain.motor.voltage", .type = quantity, .range = positive,
+    {.path = "drivetrain.motor.voltage", .type = quantity, .range = {.low = 0, .high = 2, .low_open = true},
      .doc = "Supply voltage / rated voltage, 1 by default; torque is proportional to its square, a droop line is shifted "
             "instead; not with constant_speed."},
     {.path = "drivetrain.motor.voltage_file", .type = file,
