@@ -131,7 +131,7 @@ double idle_speed(const DrivetrainParameters& parameters) {
   }
   throw BadInput(
       "drivetrain: the losses without rock are more than the motor can carry at any speed; reduce them "
-      "below the motor's largest torque");
+      "below the motor's largest torque, and check its unit: a curve is in N m, not in percent");
 }
 
 void check_drivetrain(const DrivetrainParameters& parameters) {

@@ -3,12 +3,14 @@
 
 #include "app/assembly/bad_key.hpp"
 #include "app/assembly/mesh_checks.hpp"
+#include "app/assembly/reach.hpp"
 #include "app/assembly/rocks.hpp"
 #include "io/rocks/library_cache.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace gyro {
 namespace {
@@ -24,8 +26,23 @@ void check_crusher(const Case& input, Assembly& out) {
   if (input.crusher && !driven) out.notes.push_back("the case has no drivetrain: the mantle does not move");
 }
 
+/// What a table of torques comes to, so that a wrong unit is seen.
+void note_curve(Assembly& out, const Case& input) {
+  const auto* curve = input.drivetrain ? std::get_if<CurveMotor>(&input.drivetrain->motor) : nullptr;
+  if (curve == nullptr) return;
+  double torque = 0, power = 0;
+  for (std::size_t k = 0; k < curve->torques.size(); ++k) {
+    torque = std::max(torque, curve->torques[k]);
+    power = std::max(power, curve->torques[k] * curve->speeds[k]);
+  }
+  char text[160];
+  std::snprintf(text, sizeof text, "motor curve: at most %.4g N m and %.4g kW, no load at %.4g rpm", torque,
+                1e-3 * power, curve->no_load_speed() * 30 / std::numbers::pi);
+  out.notes.push_back(text);
+}
+
 /// Notes times that are not a whole number of windows: a run acts at the ends of windows only.
-void note_windows(Assembly& out, const Case& input) {
+void note_windows(Assembly& out, const Case& input, std::optional<double> until) {
   const auto note = [&](const char* key, double time) {
     const double windows = time / input.coupling_interval;
     if (std::abs(windows - std::round(windows)) < 1e-6 * windows) return;
@@ -36,8 +53,10 @@ void note_windows(Assembly& out, const Case& input) {
                   key, time, input.coupling_interval);
     out.notes.push_back(text);
   };
-  note("time.duration", input.time.duration);
+  until ? note("--until", *until) : note("time.duration", input.time.duration);
   note("output.series", input.output.series);
+  if (input.output.snapshots > 0) note("output.snapshots", input.output.snapshots);
+  if (input.output.liners) note("output.liners.interval", input.output.liners->interval);
 }
 
 /// The scene, except walls and step.
@@ -62,17 +81,20 @@ void set_walls(Assembly& out, const Case& input) {
   out.notes = std::move(walls.notes);
 }
 
-void set_rock(Assembly& out, const Case& input, int threads) {
+void set_rock(Assembly& out, const Case& input, const AssemblyRequest& request) {
   Setup& setup = out.setup;
   if (input.rocks) {
-    setup.library = blaming(
-        "rocks", [&] { return cached_library(library_recipe(input, setup.scene), default_cache_folder(), threads); });
+    setup.library = blaming("rocks", [&] {
+      return cached_library(library_recipe(input, setup.scene), default_cache_folder(), request.threads,
+                            request.library_progress);
+    });
     out.notes.insert(out.notes.end(), setup.library.notes.begin(), setup.library.notes.end());
   }
   setup.start = blaming("particles", [&] { return start_state(input); });
   setup.bond_strength = bond_strength(input);
   const double rock = removal_depth(setup.library, setup.start) / 2;
   for (std::string& note : size_notes(input, setup.scene.walls, rock)) out.notes.push_back(std::move(note));
+  for (std::string& note : tiny_wall_notes(input, setup)) out.notes.push_back(std::move(note));
 }
 
 /// Where rock leaves. The opening and the rim are distinguished only if a concave is closed around the axis.
@@ -129,23 +151,27 @@ const std::vector<double>& sieves_of(const Case& input) {
   return input.output.sieves.empty() ? sieve_series() : input.output.sieves;
 }
 
-Assembly assemble(const Case& input, int threads) {
+Assembly assemble(const Case& input, const AssemblyRequest& request) {
   if (input.output.hdf5) throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; use vtp");
   if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
+  const double end = request.until.value_or(input.time.duration);
   Assembly out;
   set_walls(out, input);
   check_crusher(input, out);
+  note_curve(out, input);
   set_scene(out.setup.scene, input);
-  set_rock(out, input, threads);
+  set_rock(out, input, request);
   set_discharge(out, input);
   set_step(out, input);
-  note_windows(out, input);
+  note_windows(out, input, request.until);
   out.setup.inspection_interval = input.output.series;
   if (input.feed) {
     Setup& setup = out.setup;
     setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
   }
-  out.expected = expected_counts(out.setup, out.step, input.time.duration);
+  for (std::string& note : reach_notes(input, out.setup, end)) out.notes.push_back(std::move(note));
+  out.expected = expected_counts(out.setup, out.step, end);
+  check_steps(out.expected, input, out.step, request.until);
   for (std::string& note : check_counts(out.expected, out.setup)) out.notes.push_back(std::move(note));
   return out;
 }

@@ -24,11 +24,17 @@ struct Assembly {
   std::vector<std::string> notes;  ///< repairs of input files and other remarks, for the log
 };
 
+/// How a case is assembled.
+struct AssemblyRequest {
+  int threads = 0;                     ///< that make the library of rocks; 0: all cores
+  std::optional<double> until = {};    ///< end of the run in place of time.duration [s]
+  LibraryProgress library_progress{};  ///< empty, or told of each rock of the library
+};
+
 /// Makes the setup of a case.
-/// @param threads  that make the library of rocks; 0: all cores
 /// @throws BadKey for files that cannot be used, a library that cannot be made, a step above its limit, more
-/// rock or steps than can be run
-Assembly assemble(const Case& input, int threads = 0);
+/// rock or steps than can be run; BadInput for an impossible `until`
+Assembly assemble(const Case& input, const AssemblyRequest& request = {});
 
 /// Sieves of product and hold-up: those of the case, or else the default series; increasing [m].
 const std::vector<double>& sieves_of(const Case& input);

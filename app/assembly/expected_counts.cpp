@@ -12,10 +12,10 @@
 namespace gyro {
 namespace {
 
-constexpr double max_particles = 2e9;    // ids have 32 bits, indices a sign besides
-constexpr double many_particles = 1e7;   // [-]; a run of them takes weeks on a CPU
-constexpr double max_steps = 1e15;       // counted exactly by 64 bits and by doubles
-constexpr double share_of_memory = 0.9;  // the rest is for walls, output and the system
+constexpr double max_particles_of_run = 2e9;  // ids have 32 bits, indices a sign besides
+constexpr double many_particles = 1e7;        // [-]; a run of them takes weeks on a CPU
+constexpr double max_steps = 1e15;            // counted exactly by 64 bits and by doubles
+constexpr double share_of_memory = 0.9;       // the rest is for walls, output and the system
 constexpr double bytes_per_particle = 700, bytes_per_bond = 70;
 
 /// Rock that the feed draws on average: kinds are drawn with probability proportional to 1/mass.
@@ -113,16 +113,26 @@ double available_memory() {
   return bytes;
 }
 
+void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoice& step, std::optional<double> until) {
+  if (counts.steps <= max_steps) return;
+  const std::string found = "the run has " + in_words(counts.steps) + " steps, more than 1e15; ";
+  const double end = until.value_or(input.time.duration);
+  const double usual = std::min(input.time.safety * step.limit, 1e-3);  // the limit is infinite without rock
+  if (end / usual <= max_steps) {
+    const std::string key = input.time.step ? "time.step" : "coupling.interval";
+    throw BadKey(key, found + "lengthen " + key + " (check its unit)");
+  }
+  if (until) throw BadInput("--until: " + found + "give an earlier end (check its unit)");
+  throw BadKey("time.duration", found + "shorten it (check its unit)");
+}
+
 std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup) {
   const std::string key = setup.feed ? "feed" : "particles";
   const std::string advice =
       "; raise the smallest size of the rock (check its unit), feed less, or use fewer particles a rock";
   const std::string found = counted(counts) + sizes_of(setup.library);
-  if (!(counts.steps <= max_steps))
-    throw BadKey("time.duration",
-                 "the run has " + in_words(counts.steps) + " steps, more than 1e15; shorten it (check its unit)");
-  if (!(counts.particles <= max_particles)) throw BadKey(key, found + ": more than 2e9 particles" + advice);
-  if (!(counts.particles + counts.fed_particles <= max_particles))
+  if (!(counts.particles <= max_particles_of_run)) throw BadKey(key, found + ": more than 2e9 particles" + advice);
+  if (!(counts.particles + counts.fed_particles <= max_particles_of_run))
     throw BadKey(key, found + ", and the feed adds more than 2e9 particles over the run" + advice);
   const double memory = available_memory();
   if (expected_bytes(counts.particles, counts.bonds) > share_of_memory * memory)

@@ -3,7 +3,9 @@
 
 #include "app/simulation/setup.hpp"
 #include "app/simulation/time_step.hpp"
+#include "io/case/case.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +30,14 @@ ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, doubl
 /// Free memory of the machine [bytes]; infinity if it is not known.
 double available_memory();
 
-/// Refuses cases with more particles than ids, more memory than is free, or more steps than can be counted.
+/// Refuses more steps than can be counted.
+/// @param until  end of the run in place of time.duration [s]
+/// @throws BadKey for the time in the case that is to blame, BadInput for `until`
+void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoice& step, std::optional<double> until);
+
+/// Refuses cases with more particles than ids, or more memory than is free.
 /// @return notes on large but possible cases
-/// @throws BadKey for `feed`, `particles` or `time.duration`, with the counts
+/// @throws BadKey for `feed` or `particles`, with the counts
 std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup);
 
 }  // namespace gyro

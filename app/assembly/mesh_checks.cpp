@@ -12,6 +12,7 @@ namespace gyro {
 namespace {
 
 constexpr double suspicious = 100;     // [m]
+constexpr double shortest = 1e-5;      // [m]; no wall is smaller
 constexpr double many_rocks = 1000;    // extent / largest rock; above it, a drawing in mm is more likely
 constexpr double round_within = 0.02;  // a polygon of 12 sides is 1.7 % off a circle
 
@@ -23,6 +24,16 @@ std::string in_mm(double length) {
   char text[40];
   std::snprintf(text, sizeof text, "%.4g mm", 1e3 * length);
   return text;
+}
+
+/// Diameter or height, whichever is larger [m].
+double extent_of(const ProfileShape& profile) {
+  double low = profile.points.front().z, high = low, diameter = 0;
+  for (const ProfilePoint& p : profile.points) {
+    low = std::min(low, p.z), high = std::max(high, p.z);
+    diameter = std::max(diameter, 2 * p.r);
+  }
+  return std::max(diameter, high - low);
 }
 
 std::string scale_advice(const std::string& wall) {
@@ -40,6 +51,9 @@ void check_extent(const TriangleMesh& mesh, const MeshFile& file) {
   if (!(extents.largest() <= longest_length))
     throw BadInput(file.path.string() + ": the mesh is larger than 1 km (" + to_string(extents) +
                    "); meshes are in metres: set the wall's scale, which is 0.001 for a drawing in mm");
+  if (!(extents.largest() >= shortest))
+    throw BadInput(file.path.string() + ": the mesh is smaller than 0.01 mm (" + in_mm(extents.largest()) +
+                   "); meshes are in metres: check the wall's scale, or leave it out");
 }
 
 std::vector<std::string> frame_notes(const CaseWall& wall, const MeshFile& file, const TriangleMesh& liner) {
@@ -76,8 +90,9 @@ std::vector<std::string> size_notes(const Case& input, const std::vector<Wall>& 
   for (std::size_t k = 0; k < walls.size(); ++k) {
     const auto* mesh = std::get_if<TriangleMesh>(&walls[k].shape);
     const auto* file = std::get_if<MeshFile>(&input.walls[k].shape);
-    if (mesh == nullptr || file == nullptr) continue;
-    const double extent = extents_of(*mesh).largest();
+    const auto* profile = std::get_if<ProfileShape>(&walls[k].shape);
+    if ((mesh == nullptr || file == nullptr) && profile == nullptr) continue;
+    const double extent = profile != nullptr ? extent_of(*profile) : extents_of(*mesh).largest();
     char text[100];
     if (rock > 0 && extent > many_rocks * rock)
       std::snprintf(text, sizeof text, "%.3g m long, %.3g times the largest rock", extent, extent / rock);
@@ -85,7 +100,9 @@ std::vector<std::string> size_notes(const Case& input, const std::vector<Wall>& 
       std::snprintf(text, sizeof text, "%.3g m long", extent);
     else
       continue;
-    notes.push_back(name_of(input.walls[k], *file) + text + scale_advice(walls[k].name));
+    notes.push_back(profile != nullptr ? "wall " + walls[k].name + ": " + input.crusher->profile.string() + ": " +
+                                             text + "; profiles are in metres: divide numbers in mm by 1000"
+                                       : name_of(input.walls[k], *file) + text + scale_advice(walls[k].name));
   }
   return notes;
 }

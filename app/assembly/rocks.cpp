@@ -77,6 +77,7 @@ FeedPlan feed_plan(const Case& input, const Scene& scene, const RockLibrary& lib
   plan.rate = feed.rate;
   plan.start = feed.start;
   plan.seed = input.identity.seed;
+  plan.clearance = std::min(plan.clearance, smallest_radius(library, start));
   set_regions(plan, feed, scene, library);
   Vec3d at = feed.at;
   for (int k = 0; k < feed.rocks; ++k) {

@@ -38,7 +38,7 @@ KnobSetting substeps_within(int k) {
 KnobSetting window(double milliseconds) {
   return {.knob = "window",
           .value = text_of(milliseconds * 1e-3),
-          .overrides = {"coupling.interval=" + text_of(milliseconds * 1e-3)}};
+          .overrides = {"coupling.interval=" + text_of(milliseconds * 1e-3), "output=null"}};
 }
 
 KnobSetting margin(double share) {

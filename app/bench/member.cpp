@@ -99,7 +99,7 @@ std::map<std::string, double> values_of(const Watched& run, const Case& input) {
 
 MemberResult run_member(const Member& member) {
   const Case input = load(member, member.setting.overrides);
-  Assembly assembly = assemble(input, 1);
+  Assembly assembly = assemble(input, {.threads = 1});
   Setup& setup = assembly.setup;
   apply(member.setting, input.coupling_interval, setup);
   auto dem = make_dem(choose_device("cpu", 1), setup.scene, input.numerics.precision);
@@ -124,7 +124,7 @@ MemberResult run_member(const Member& member) {
 
 std::string refusal(const Member& member) {
   try {
-    assemble(load(member, as_overrides(member.setting)), 1);
+    assemble(load(member, as_overrides(member.setting)), {.threads = 1});
   } catch (const BadInput& problem) {
     return problem.what();
   }

@@ -15,11 +15,11 @@ namespace gyro {
 namespace {
 
 /// A time given on the command line: plain seconds or with a unit.
-std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& target) {
-  return [&target](const CLI::results_t& words) {
+std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& target, const std::string& name) {
+  return [&target, name](const CLI::results_t& words) {
     const ParsedNumber parsed = parse_quantity(words.front(), Dimension::time);
-    if (!parsed.value) throw CLI::ValidationError(parsed.problem);
-    if (!(*parsed.value >= 0)) throw CLI::ValidationError("must be >= 0");
+    if (!parsed.value) throw CLI::ValidationError(name + ": " + parsed.problem);
+    if (!(*parsed.value >= 0)) throw CLI::ValidationError(name + ": must be >= 0");
     target = parsed.value;
     return true;
   };
@@ -55,9 +55,12 @@ void add_run(CLI::App& command, RunArguments& a) {
   add_threads(command, a.threads);
   command.add_flag("--resume", a.resume, "continue an interrupted run");
   command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
-  command.add_option("--until", seconds_into(a.until), "end at this simulated time instead of time.duration")
+  command
+      .add_option("--until", seconds_into(a.until, "--until"), "end at this simulated time instead of time.duration")
       ->type_name("TIME");
-  command.add_option("--max-walltime", seconds_into(a.max_walltime), "stop after this much wall-clock time")
+  command
+      .add_option("--max-walltime", seconds_into(a.max_walltime, "--max-walltime"),
+                  "stop after this much wall-clock time")
       ->type_name("TIME");
   command.add_flag("--quiet", a.quiet, "no progress and no summary");
 }

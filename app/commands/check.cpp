@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/assembly/assembly.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/library_wait.hpp"
 #include "app/simulation/device.hpp"
 #include "core/base/errors.hpp"
 #include "io/run/progress.hpp"
@@ -32,8 +33,9 @@ struct Trial {
 };
 /// @param threads  of the run; 0: all cores
 Trial try_out(const Case& input, Setup setup, int threads) {
-  constexpr double enough_work = 1e6;  // particle steps in a trial window, some tenths of a second
-  constexpr double enough_time = 1.5;  // [s]
+  constexpr double enough_work = 1e6;     // particle steps in a trial window, some tenths of a second
+  constexpr double enough_time = 1.5;     // [s]
+  constexpr std::int64_t overhead = 100;  // of a step, in particles
   setup.inspection_interval = 0;
   auto dem = make_dem(choose_device("cpu", threads), setup.scene, input.numerics.precision);
   const std::unique_ptr<Simulation> simulation = make_simulation(input, std::move(setup), std::move(dem));
@@ -43,7 +45,7 @@ Trial try_out(const Case& input, Setup setup, int threads) {
   std::vector<double> seconds;  // per step
   const auto start = Clock::now();
   do {
-    const double affordable = enough_work / static_cast<double>(std::max<std::int64_t>(particles, 1));
+    const double affordable = enough_work / static_cast<double>(std::max(particles, overhead));
     const int max_steps = static_cast<int>(std::clamp(affordable, 1.0, 1e9));
     const auto begin = Clock::now();
     const WindowResult result = simulation->advance(max_steps);
@@ -148,7 +150,7 @@ int check_command(const CaseArguments& arguments) {
       std::cerr << "starts the native code of " << report.loaded->drivetrain_fmu->file.string()
                 << ", in a separate process with your rights, to see whether it can be initialised\n";
     try {
-      assembly.emplace(assemble(*report.loaded, arguments.threads));
+      assembly.emplace(assemble(*report.loaded, {.threads = arguments.threads, .library_progress = LibraryWait()}));
       found.emplace(estimate(*report.loaded, *assembly, arguments.threads));
     } catch (const BadKey& bad) {
       blame(bad.key, bad.what());

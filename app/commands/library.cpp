@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/assembly/assembly.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/library_wait.hpp"
 #include "core/base/errors.hpp"
 #include "io/rocks/library_file.hpp"
 
@@ -50,7 +51,8 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
   if (!input->rocks)
     throw BadInput(to_string(problem_at(arguments.file, arguments.set, "rocks",
                                         "the case has no `rocks`; add the section, a library is made from it")));
-  const Assembly assembly = located(arguments, [&] { return assemble(*input, arguments.threads); });
+  const Assembly assembly = located(
+      arguments, [&] { return assemble(*input, {.threads = arguments.threads, .library_progress = LibraryWait()}); });
   const RockLibrary& library = assembly.setup.library;
   if (out) {
     make_directory(*out);

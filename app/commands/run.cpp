@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
+#include "app/commands/library_wait.hpp"
 #include "app/run/case_run.hpp"
 #include "app/run/stop_request.hpp"
 #include "core/base/errors.hpp"
@@ -45,9 +46,11 @@ int run_command(const RunArguments& arguments) {
   RunOptions options;
   options.directory = {arguments.out, arguments.input.file.stem().string(), arguments.resume, arguments.overwrite, {}};
   options.directory.lock = lock_run_directory(arguments.out);
+  options.until = arguments.until;
   options.end = arguments.until.value_or(input->time.duration);
   options.max_walltime = arguments.max_walltime;
   options.quiet = arguments.quiet;
+  if (!arguments.quiet) options.library_progress = LibraryWait();
   const RunDirectory directory = find_run_directory(options.directory);
   if (nothing_to_do(arguments, *input, directory, options.end)) return exit_done;
   std::optional<CaseRun> run;

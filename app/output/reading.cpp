@@ -2,6 +2,7 @@
 #include "app/output/reading.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gyro {
@@ -72,6 +73,14 @@ SeriesReading read_series(const Simulation& simulation, std::span<const std::uin
   reading.max_overlap_ratio = simulation.ledger().extremes().overlap_ratio;
   if (!probes.empty()) read_probes(simulation.dem().particles(), probes, reading);
   return reading;
+}
+
+bool is_finite(const WindowResult& result, const Simulation& simulation) {
+  const EnergyTerms& energy = simulation.ledger().energy();
+  double sum =
+      energy.residual() + energy.kinetic + energy.potential + result.crushing_power + simulation.momentum().residual();
+  for (const WallLoad& wall : result.walls) sum += norm(wall.force);
+  return simulation.ledger().extremes().finite && std::isfinite(sum);
 }
 
 LedgerReading read_ledger(const Simulation& simulation) {

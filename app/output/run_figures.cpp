@@ -4,9 +4,16 @@
 #include "app/output/steady_state.hpp"
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace gyro {
 namespace {
+
+/// A figure of a run whose last window may not be finite.
+std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
 
 void add_product(Summary& s, const Case& input, const Assembly& assembly, const Simulation& simulation,
                  const RunOutput& output) {
@@ -87,8 +94,8 @@ void add_figures(Summary& s, const Case& input, const Assembly& assembly, const 
   s.particles = counts.particles;
   s.bonds_initial = simulation.bonds_initial();
   s.bonds_broken = counts.broken_tension + counts.broken_shear;
-  s.energy_residual_fraction = simulation.ledger().residual_fraction();
-  s.momentum_residual_fraction = simulation.momentum().residual_fraction();
+  s.energy_residual_fraction = if_finite(simulation.ledger().residual_fraction());
+  s.momentum_residual_fraction = if_finite(simulation.momentum().residual_fraction());
   s.mass_residual_fraction = mass.fed > 0 ? static_cast<double>(mass.residual()) / static_cast<double>(mass.fed) : 0;
   s.max_overlap_ratio = simulation.ledger().worst_overlap();
   if (simulation.feed()) {

@@ -72,6 +72,8 @@ void RunOutput::begin(const Simulation& simulation) {
 }
 
 void RunOutput::take(const WindowResult& result, const Simulation& simulation) {
+  lost_ = lost_ || !is_finite(result, simulation);
+  if (lost_) return;
   rows_.add(results_, result, simulation);
   state_.crushing_work += result.load.work;
   state_.time = simulation.time();
@@ -136,8 +138,14 @@ void RunOutput::save(SavedState& to) const {
   motor_.save(to);
 }
 
+bool RunOutput::lost(const Simulation& simulation) {
+  const EnergyTerms energy = simulation.dem().energy();
+  lost_ = lost_ || !std::isfinite(energy.kinetic + energy.potential + norm(simulation.dem().momentum()));
+  return lost_;
+}
+
 void RunOutput::close(const Simulation& simulation) {
-  if (!rows_.empty()) write_row(simulation);
+  if (!rows_.empty() && !lost_) write_row(simulation);
   maps_.close(results_);
   results_.close();
 }

@@ -26,14 +26,17 @@ class RunOutput {
 
   /// Writes the snapshot of the start, if the case asks for snapshots.
   void begin(const Simulation& simulation);
-  /// Adds a window; writes the row and the snapshot if they are due.
+  /// Adds a window; writes the row and the snapshot if they are due. A window with numbers that are not finite is left
+  /// out, and all that follows: no table has such numbers.
   void take(const WindowResult& result, const Simulation& simulation);
   /// Saves the state that a resumed run needs, between two windows.
   void save(SavedState& to) const;
   /// Waits until the disk has all rows: a checkpoint must never be ahead of them.
   void sync() { results_.sync(); }
   double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
-  /// Writes the last row and closes the files. @param simulation  inspected at its end
+  /// Whether windows were left out, or the present state is not finite.
+  bool lost(const Simulation& simulation);
+  /// Writes the last row, unless it is lost, and closes the files. @param simulation  inspected at its end
   void close(const Simulation& simulation);
 
   double mean_crushing_power() const { return state_.time > 0 ? state_.crushing_work / state_.time : 0; }  ///< [W]
@@ -73,6 +76,7 @@ class RunOutput {
   State state_;
   RowWriter rows_;
   LinerMaps maps_;
+  bool lost_ = false;  ///< a number was not finite
   GyrationReader gyrations_;
   MotorRows motor_;
   ResultsFile results_;

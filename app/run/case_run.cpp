@@ -17,7 +17,7 @@ CaseRun::CaseRun(const Case& input, const RunOptions& options, const SavedState*
     : input_(input),
       options_(options),
       resumed_(saved != nullptr),
-      assembly_(assemble(input, options.device.threads)),
+      assembly_(assemble(input, {options.device.threads, options.until, options.library_progress})),
       simulation_(simulation_of(saved)),
       directory_(open_run_directory(options.directory)),
       log_(directory_.path, options.quiet),
@@ -60,7 +60,10 @@ RunStatus CaseRun::run() {
   Summary summary = base_summary();
   try {
     guarded_loop(summary);
-    simulation_->inspect();  // for the row of an interval that is not complete
+    if (output_.lost(*simulation_))
+      log_.lost_rows();
+    else
+      simulation_->inspect();  // for the row of an interval that is not complete
     output_.close(*simulation_);
   } catch (const std::exception& failure) {
     fail(summary, failure.what());

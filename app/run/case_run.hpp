@@ -20,9 +20,11 @@ namespace gyro {
 struct RunOptions {
   Device device;
   RunDirectoryRequest directory;
-  double end = 0;                      ///< simulated [s]
-  std::optional<double> max_walltime;  ///< [s]
-  bool quiet = false;                  ///< prints neither progress nor summary
+  double end = 0;                         ///< simulated [s]
+  std::optional<double> until = {};       ///< the end, if it was given in place of time.duration [s]
+  std::optional<double> max_walltime;     ///< [s]
+  LibraryProgress library_progress = {};  ///< empty, or told of each rock of the library
+  bool quiet = false;                     ///< prints neither progress nor summary
 };
 
 /// One run of a case, from its first to its last window: the loop, with output, checkpoints, log and summary.

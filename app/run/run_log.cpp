@@ -65,6 +65,10 @@ void RunLog::stopped(const std::string& reason) {
   log_.error(reason);
 }
 
+void RunLog::lost_rows() {
+  log_.warning("results.h5 ends before the window that was stopped: its numbers are not finite, and left out");
+}
+
 void RunLog::summary(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)

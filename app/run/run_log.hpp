@@ -29,6 +29,8 @@ class RunLog {
   /// Logs messages and events of the drive since the last call.
   void drive_events(Simulation& simulation);
   void stopped(const std::string& reason);
+  /// Warns that rows are left out.
+  void lost_rows();
   /// Logs the summary as it is printed.
   void summary(const std::string& text);
   /// Logs time by phase, status, and warnings about overlaps beyond Hertz's law and rock that left over the rim.

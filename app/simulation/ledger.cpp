@@ -36,7 +36,8 @@ double Ledger::work() const {
 }
 
 double Ledger::residual_fraction() const {
-  return scale() > 0 ? state_.energy.residual() / scale() : 0;
+  const double measure = scale();  // not a number where an energy is not
+  return measure == 0 ? 0 : state_.energy.residual() / measure;
 }
 
 double Ledger::scale() const {

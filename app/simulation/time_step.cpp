@@ -97,15 +97,6 @@ Limit sweep_limit(const Scene& scene, double smallest_radius) {
   return limit;
 }
 
-double smallest_radius(const RockLibrary& library, std::span<const NewRock> start) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const RockTemplate& rock : library.rocks)
-    for (const double r : rock.radii) smallest = std::min(smallest, r);
-  for (const NewRock& rock : start)
-    for (const NewParticle& p : rock.particles) smallest = std::min(smallest, p.radius);
-  return smallest;
-}
-
 [[noreturn]] void refuse_step(double wanted, const std::string& what, double maximum, const std::string& condition) {
   std::ostringstream message;
   message << "the time step of " << wanted << " s is above " << what << "; it must be at most " << maximum << " s"
@@ -129,6 +120,15 @@ void check_step(double wanted, const Limit& stable, double safety, const Limit& 
 
 }  // namespace
 
+double smallest_radius(const RockLibrary& library, std::span<const NewRock> start) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const RockTemplate& rock : library.rocks)
+    for (const double r : rock.radii) smallest = std::min(smallest, r);
+  for (const NewRock& rock : start)
+    for (const NewParticle& p : rock.particles) smallest = std::min(smallest, p.radius);
+  return smallest;
+}
+
 StepChoice choose_step(const Setup& setup, const StepRequest& request) {
   const Scene& scene = setup.scene;
   check_scene(scene);
@@ -147,9 +147,12 @@ StepChoice choose_step(const Setup& setup, const StepRequest& request) {
     wanted = *request.step;
     check_step(wanted, stable, request.safety, sweep, scene.limits.speed_ratio);
   }
-  if (!(request.window / wanted <= 1e9))
-    throw BadInput("a coupling interval of " + std::to_string(request.window) + " s has more than 1e9 steps of " +
-                   std::to_string(1e6 * wanted) + " us; shorten coupling.interval");
+  if (!(request.window / wanted <= 1e9)) {
+    std::ostringstream message;
+    message << "a coupling interval of " << request.window << " s has more than 1e9 steps of " << wanted << " s; "
+            << (request.step ? "lengthen time.step or shorten coupling.interval" : "shorten coupling.interval");
+    throw BadInput(message.str());
+  }
   choice.steps_per_window = hold * static_cast<int>(std::ceil(request.window / wanted / hold * (1 - 1e-9)));
   choice.dt = request.window / choice.steps_per_window;
   return choice;

@@ -30,6 +30,9 @@ struct StepChoice {
 /// Mindlin.
 BedContacts bed_contacts(const Scene& scene);
 
+/// Of the particles of library and start; infinite if there is none [m].
+double smallest_radius(const RockLibrary& library, std::span<const NewRock> start);
+
 /// Chooses the step: `safety` times the smallest limit of all rocks of library and start and of the smallest loose
 /// particle, made to divide the window; or the step that is asked for. No wall of given motion may move by more than
 /// scene.limits.speed_ratio of the smallest radius in a step; walls that a drivetrain moves are checked by the ledger.

@@ -1,29 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/printable.hpp"
+
 #include <stdexcept>
 #include <string>
 
 namespace gyro {
 
+/// A failure whose message is for the user; what it quotes of files is printable.
+struct Failure : std::runtime_error {
+  explicit Failure(const std::string& message) : std::runtime_error(printable(message)) {}
+};
+
 /// Input that cannot be used: the message says what is wrong and what to do. Exit code 2.
-struct BadInput : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct BadInput : Failure {
+  using Failure::Failure;
 };
 
 /// The run left its limits of validity (not finite, overlap, energy). Exit code 4.
-struct StoppedByGuard : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct StoppedByGuard : Failure {
+  using Failure::Failure;
 };
 
 /// A file could not be written or the disk is full. Exit code 5.
-struct OutputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct OutputError : Failure {
+  using Failure::Failure;
 };
 
 /// The device asked for is not there, or memory ran out. Exit code 6.
-struct NoDevice : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct NoDevice : Failure {
+  using Failure::Failure;
 };
 
 }  // namespace gyro

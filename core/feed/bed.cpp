@@ -8,10 +8,15 @@
 namespace gyro {
 namespace {
 
+/// Cells far outside are one, so that their numbers fit.
 Vec3<Index> cell_of(const Vec3d& p, double cell) {
-  return {static_cast<Index>(std::floor(p.x / cell)), static_cast<Index>(std::floor(p.y / cell)),
-          static_cast<Index>(std::floor(p.z / cell))};
+  constexpr double outside = 1e9;
+  const auto number = [&](double x) { return static_cast<Index>(std::clamp(std::floor(x / cell), -outside, outside)); };
+  return {number(p.x), number(p.y), number(p.z)};
 }
+
+/// A search that covers so many cells for each sphere is slower than to look at all spheres.
+constexpr double max_cells_per_sphere = 8, few_cells = 1e4;
 
 int level_of(double radius) {
   return static_cast<int>(std::ceil(std::log2(radius)));
@@ -45,8 +50,24 @@ void Bed::add(const Vec3d& centre, double radius) {
   for (std::size_t k = 0; k < spheres_.size(); ++k) link(static_cast<Index>(k));
 }
 
+double Bed::cells_near(double radius, double gap) const {
+  double cells = 0;
+  for (const auto& [number, level] : levels_) {
+    const double along = 2 * (radius + level.largest + gap) / level.cell + 1;
+    cells += along * along * along;
+  }
+  return cells;
+}
+
 template <class Visit>
 void Bed::visit_near(const Vec3d& centre, double radius, double gap, const Visit& visit) const {
+  if (cells_near(radius, gap) > few_cells + max_cells_per_sphere * static_cast<double>(spheres_.size())) {
+    for (std::size_t k = 0; k < spheres_.size(); ++k) {
+      const double apart = radius + spheres_[k].radius + gap;
+      if (norm2(centre - spheres_[k].centre) < apart * apart && visit(static_cast<Index>(k), apart)) return;
+    }
+    return;
+  }
   for (auto entry = levels_.rbegin(); entry != levels_.rend(); ++entry) {
     const auto& [number, level] = *entry;
     const double reach = radius + level.largest + gap;

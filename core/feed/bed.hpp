@@ -41,6 +41,8 @@ class Bed {
   /// it returns true; large ones first.
   template <class Visit>
   void visit_near(const Vec3d& centre, double radius, double gap, const Visit& visit) const;
+  /// Number of cells that a search covers.
+  double cells_near(double radius, double gap) const;
   std::size_t bucket(int level, const Vec3<Index>& cell) const;
   void link(Index sphere);
 

@@ -1,20 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rocks/library.hpp"
 
+#include "core/base/errors.hpp"
 #include "core/base/thread_team.hpp"
 #include "core/geometry/mesh.hpp"
 #include "core/geometry/principal_axes.hpp"
 #include "core/rocks/recipe.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <set>
+#include <sstream>
+#include <string>
 
 namespace gyro {
 namespace {
+
+double cube(double x) {
+  return x * x * x;
+}
+
+/// No rock is so long for its volume: spheres are searched within its reach, and a needle or a plate holds none.
+void check_reach(const std::string& name, const RockShape& shape) {
+  constexpr double farthest = 10;  // of the centre, in sides of the cube of equal volume
+  double reach = 0;
+  for (const Vec3d& v : shape.surface.vertices) reach = std::max(reach, norm(v));
+  if (reach <= farthest) return;
+  std::ostringstream times;
+  times.precision(3);
+  times << 2 * reach / std::cbrt(6 / std::numbers::pi);
+  throw BadInput(
+      name + ": the shape is a needle or a plate, " + times.str() +
+      " times as long as the sphere of its volume; give the scan of a rock, or one whose axes have the same unit");
+}
 
 struct NamedMould {
   std::string name;
@@ -40,13 +62,11 @@ std::vector<NamedMould> make_moulds(const LibraryRecipe& recipe, std::vector<std
     RepairedMesh solid = shape.load();
     if (given.corners > 0) solid.mesh = coarse_polyhedron(solid.mesh, given.corners);
     notes.insert(notes.end(), solid.notes.begin(), solid.notes.end());
-    moulds.push_back({shape.name, Mould(make_shape(solid.mesh))});
+    const RockShape made = make_shape(solid.mesh);
+    check_reach(shape.name, made);
+    moulds.push_back({shape.name, Mould(made)});
   }
   return moulds;
-}
-
-double cube(double x) {
-  return x * x * x;
 }
 
 /// Measures how well the particles model the solid rock.
@@ -95,9 +115,21 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
 }
 
 /// Calls work(k) for k = count - 1, ..., 0 on all threads: the largest rocks first, so that the threads end together.
+/// What comes after a failure is left out; the failure of the largest k is thrown, on any number of threads.
 template <class Work>
 void for_each_downwards(ThreadTeam& team, int count, const Work& work) {
-  for_each_job(team, count, [&](int done) { work(count - 1 - done); });
+  std::atomic<int> failed = -1;  // the largest k so far
+  for_each_job(team, count, [&](int done) {
+    const int k = count - 1 - done;
+    if (k < failed) return;
+    try {
+      work(k);
+    } catch (...) {
+      for (int known = failed; known < k && !failed.compare_exchange_weak(known, k);) {
+      }
+      throw;
+    }
+  });
 }
 
 /// Makes the packings that the rocks will be cut from, so that no two rocks wait for the same one.
@@ -108,26 +140,30 @@ void make_packings(ThreadTeam& team, const RangeFill& range, const std::vector<d
   for_each_downwards(team, static_cast<int>(list.size()), [&](int k) { rock_packing(list[k]); });
 }
 
-RockLibrary build(const LibraryRecipe& recipe, const SizeDistribution& sizes, ThreadTeam& team) {
+RockLibrary build(const LibraryRecipe& recipe, const SizeDistribution& sizes, ThreadTeam& team,
+                  const LibraryProgress& progress) {
   RockLibrary library;
   const std::vector<NamedMould> moulds = make_moulds(recipe, library.notes);
   std::vector<double> diameters;
   for (int k = 0; k < recipe.samples; ++k) diameters.push_back(sizes.size_at((k + 0.5) / recipe.samples));
   if (const auto* range = std::get_if<RangeFill>(&recipe.fill)) make_packings(team, *range, diameters);
   library.rocks.resize(recipe.samples);
-  for_each_downwards(team, recipe.samples,
-                     [&](int k) { library.rocks[k] = make_rock(recipe, moulds[k % moulds.size()], diameters[k], k); });
+  std::atomic<int> made = 0;
+  for_each_downwards(team, recipe.samples, [&](int k) {
+    library.rocks[k] = make_rock(recipe, moulds[k % moulds.size()], diameters[k], k);
+    if (progress) progress(++made, recipe.samples);
+  });
   return library;
 }
 
 }  // namespace
 
-RockLibrary make_library(const LibraryRecipe& recipe, int threads) {
+RockLibrary make_library(const LibraryRecipe& recipe, int threads, const LibraryProgress& progress) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   check_recipe(recipe);
   ThreadTeam team(std::min(recipe.samples, threads > 0 ? threads : all_cores()));
-  RockLibrary library = build(recipe, SizeDistribution(recipe.sizes), team);
+  RockLibrary library = build(recipe, SizeDistribution(recipe.sizes), team, progress);
   library.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return library;
 }

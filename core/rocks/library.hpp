@@ -65,12 +65,16 @@ struct LibraryRecipe {
   std::uint64_t seed = 0;
 };
 
+/// Told how many rocks of how many are made, from any thread, at any time.
+using LibraryProgress = std::function<void(int made, int of)>;
+
 /// Makes a library. Rock k of n has the size that the mass fraction (k + 1/2)/n passes, so a
 /// feed that draws rocks with probability proportional to 1/mass follows the size law. Rock k has the shape k modulo
 /// the number of shapes. The result is the same for any number of threads.
-/// @param threads  that work on it; 0: all cores
+/// @param threads   that work on it; 0: all cores
+/// @param progress  empty, or called after each rock
 /// @throws BadInput if the recipe is out of range or a given shape cannot be loaded
-RockLibrary make_library(const LibraryRecipe& recipe, int threads = 0);
+RockLibrary make_library(const LibraryRecipe& recipe, int threads = 0, const LibraryProgress& progress = {});
 
 /// Volume of loose, fully crumbled rock / volume of solid rock [-]. It is the packing fraction of the particles in the
 /// rocks (mean over the library, whose rocks stand for equal masses) divided by that of a loose bed of spheres, 0.60.

@@ -33,7 +33,8 @@ void check_setting(const LinerSetting& s, double top) {
   require(s.closed_side_setting > 0 && std::isfinite(s.closed_side_setting), "closed_side_setting must be > 0");
   require(s.eccentricity >= 0 && std::isfinite(s.eccentricity), "eccentricity must be >= 0");
   require(s.pivot_height > top && std::isfinite(s.pivot_height),
-          "pivot_height must be above the liners, which end at " + std::to_string(top) + " m");
+          "pivot_height must be above the liners, which end at " + std::to_string(top) +
+              " m; pivot_height and profile are in metres: divide numbers in mm by 1000");
   require(s.collar >= 0 && std::isfinite(s.collar), "collar must be >= 0");
 }
 

@@ -14,11 +14,19 @@ double distance_to_piece(const ProfilePoint& p, const ProfilePoint& a, const Pro
   return std::hypot(p.r - a.r - t * dr, p.z - a.z - t * dz);
 }
 
+/// Distance of a point from a piece along z only, a lower bound.
+double height_above_piece(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
+  return std::max(std::min(a.z, b.z) - p.z, p.z - std::max(a.z, b.z));
+}
+
 double distance_to_line(const Polyline& points, const Polyline& line) {
+  constexpr double rounding = 1 + 1e-9;
   double minimum = std::numeric_limits<double>::infinity();
   for (const ProfilePoint& p : points)
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      if (height_above_piece(p, line[i], line[i + 1]) > rounding * minimum) continue;
       minimum = std::min(minimum, distance_to_piece(p, line[i], line[i + 1]));
+    }
   return minimum;
 }
 

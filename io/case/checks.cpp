@@ -327,6 +327,7 @@ void check_settings(const Setting& root, CaseProblems& log) {
   check_rocks(root, log);
   check_laboratory(root, log);
   check_run(root, log);
+  check_intervals(root, log);
 }
 
 }  // namespace gyro

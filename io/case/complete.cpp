@@ -47,6 +47,8 @@ void resolve_paths(Setting& setting, const fs::path& folder, CaseProblems& probl
       problems.add(mark, name + " does not exist (" + path.string() + "); give the path of a file");
     else if (fs::is_directory(status))
       problems.add(mark, name + " is a directory; give the path of a file");
+    else if (!fs::is_regular_file(status))  // it is read more than once
+      problems.add(mark, name + " is a pipe or a device; give the path of a file");
     setting.texts[k] = path.string();
   }
 }
@@ -76,6 +78,7 @@ void complete_settings(Setting& root, const fs::path& case_file, CaseProblems& p
   std::error_code error;
   const fs::path absolute = fs::absolute(case_file, error);
   resolve_paths(root, absolute.parent_path(), problems);
+  complete_intervals(root);
 
   if (Setting* identity = find_child(root, "case"); identity != nullptr && find_child(*identity, "title") == nullptr)
     add_text(*identity, "case.title", absolute.stem().string(), identity->mark);

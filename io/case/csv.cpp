@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/csv.hpp"
 
+#include "core/base/encoding.hpp"
 #include "io/files/read_file.hpp"
 
 #include <algorithm>
@@ -57,13 +58,30 @@ std::string_view next_line(std::string_view& text) {
   return line;
 }
 
-/// Whether the comma of a number may be a thousands separator: in "1,500", but not in "0,500", "1,50" or "1500,125".
-bool may_be_thousands(std::string_view number) {
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// Whether the sign in a number may be a thousands separator: in "1,500", but not in "0,500", "1,50" or "1500,125".
+bool may_be_thousands(std::string_view number, char sign) {
   if (number.starts_with('+') || number.starts_with('-')) number.remove_prefix(1);
-  const std::size_t comma = number.find(',');
-  if (comma < 1 || comma > 3 || number.size() != comma + 4 || number[0] == '0') return false;
-  return std::ranges::all_of(number.substr(0, comma), digit) && std::ranges::all_of(number.substr(comma + 1), digit);
+  const std::size_t at = number.find(sign);
+  if (at < 1 || at > 3 || number.size() != at + 4 || number[0] == '0') return false;
+  return std::ranges::all_of(number.substr(0, at), is_digit) && std::ranges::all_of(number.substr(at + 1), is_digit);
+}
+
+/// A whole number that needs no sign between thousands.
+bool is_below_thousand(std::string_view number) {
+  return !number.empty() && number.size() <= 3 && number[0] != '0' && std::ranges::all_of(number, is_digit);
+}
+
+/// Whether digits have other signs between them than points and commas: 1'500, 1 500 (also with a no-break space).
+bool has_other_signs(std::string_view number) {
+  const std::size_t first = number.find_first_not_of("0123456789");
+  if (first == 0 || first == std::string_view::npos || !is_digit(number.back())) return false;
+  for (const std::string_view sign : {"'", " ", "_", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x99"})
+    if (number.substr(first).starts_with(sign)) return true;
+  return false;
 }
 
 /// The separator of the cells. Spreadsheets use semicolons where the decimal sign is a comma.
@@ -80,8 +98,8 @@ class CsvReader {
 
   CsvTable read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    if (text.substr(0, 200).find('\0') != std::string_view::npos) {
-      problem(1, 1, "is not a text in UTF-8; export the table as CSV in UTF-8");
+    if (is_utf16(text) || text.substr(0, 200).find('\0') != std::string_view::npos) {
+      problem(1, 1, is_utf16(text) ? utf16_problem : "is not a text in UTF-8; export the table as CSV in UTF-8");
       return std::move(table_);
     }
     for (int number = 1; !text.empty() && !mixed_; ++number) {
@@ -95,7 +113,8 @@ class CsvReader {
       }
     }
     if (table_.header.empty()) problem(1, 1, "the table is empty; it must begin with the header row " + expected());
-    if (!decimal_commas_ && !mixed_) refuse_thousands();
+    if (!decimal_commas_ && !mixed_) refuse_thousands(unclear_);
+    if (!decimal_points_ && !mixed_ && separator_ != ',') refuse_pointed_thousands();
     finish_problems();
     return std::move(table_);
   }
@@ -114,19 +133,22 @@ class CsvReader {
       problem(line, column, std::move(message));
     }
   }
-  /// Reports cells such as "1,500" in a file in which no other cell shows what its commas mean.
-  void refuse_thousands() {
-    for (const auto& [line, cell] : unclear_)
+  /// In a file of a decimal comma, "1.500" beside 500 is 1500; of three decimals, all numbers of a column would have a
+  /// point.
+  void refuse_pointed_thousands() {
+    for (const Pointed& column : pointed_)
+      if (column.has_whole) refuse_thousands(column.unclear);
+  }
+  /// Reports cells such as "1,500" in a file in which no other cell shows what its signs mean.
+  void refuse_thousands(const std::vector<std::pair<int, Cell>>& unclear) {
+    for (const auto& [line, cell] : unclear)
       row_problem("thousands", line, cell.column,
                   "\"" + cell.text.substr(0, 40) +
-                      "\" has a comma that may mean thousands or decimals; write thousands without a separator, and "
+                      "\" has a sign that may mean thousands or decimals; write thousands without a separator, and "
                       "decimals with a point");
   }
   void finish_problems() {
-    for (const auto& [cause, again] : more_)
-      if (again.rows > 0)
-        table_.problems[again.problem].message +=
-            " (" + std::to_string(again.rows) + (again.rows > 1 ? " more rows" : " more row") + " like this)";
+    for (const auto& [cause, again] : more_) table_.problems[again.problem].message += rows_like_this(again.rows);
   }
   std::string expected() const {
     std::string text = joined(wanted_);
@@ -178,18 +200,29 @@ class CsvReader {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-      row_problem("value " + std::to_string(column), line, cell.column,
-                  "\"" + cell.text.substr(0, 40) + "\" is not a value of " + table_.header[column] +
-                      "; give a finite number" + (commas + points > 1 ? ", without thousands separators" : ""));
+      row_problem(
+          "value " + std::to_string(column), line, cell.column,
+          "\"" + cell.text.substr(0, 40) + "\" is not a value of " + table_.header[column] + "; give a finite number" +
+              (commas + points > 1 || has_other_signs(cell.text) ? ", without thousands separators" : ""));
       return value;
     }
     if (commas > 0 || points > 0) expect_same_sign(commas > 0, cell, line);
-    if (commas > 0 && may_be_thousands(cell.text)) {
+    if (commas > 0 && may_be_thousands(cell.text, ',')) {
       unclear_.emplace_back(line, cell);
     } else if (commas > 0) {
       decimal_commas_ = true;
     }
+    note_points(cell, column, line);
     return value;
+  }
+  void note_points(const Cell& cell, std::size_t column, int line) {
+    pointed_.resize(table_.header.size());
+    if (may_be_thousands(cell.text, '.')) {
+      pointed_[column].unclear.emplace_back(line, cell);
+    } else if (cell.text.find('.') != std::string::npos) {
+      decimal_points_ = true;
+    }
+    pointed_[column].has_whole |= is_below_thousand(cell.text);
   }
   /// Reports a file that has both decimal points and decimal commas: in it, 1,500 could be 1500.
   void expect_same_sign(bool comma, const Cell& cell, int line) {
@@ -205,6 +238,11 @@ class CsvReader {
   struct Again {
     std::size_t problem, rows;
   };
+  /// The points of a column.
+  struct Pointed {
+    std::vector<std::pair<int, Cell>> unclear;  ///< lines and cells such as "1.500"
+    bool has_whole = false;                     ///< a cell such as "500"
+  };
   const std::vector<std::string>& wanted_;
   const std::vector<std::vector<std::string>>& groups_;
   CsvTable table_;
@@ -212,10 +250,17 @@ class CsvReader {
   char separator_ = ',', sign_ = 0;
   bool mixed_ = false;
   bool decimal_commas_ = false;                ///< a cell has a comma that can only be a decimal sign
+  bool decimal_points_ = false;                ///< the same for points
   std::vector<std::pair<int, Cell>> unclear_;  ///< lines and cells such as "1,500"
+  std::vector<Pointed> pointed_;               ///< by column
 };
 
 }  // namespace
+
+std::string rows_like_this(std::size_t more) {
+  if (more == 0) return {};
+  return " (" + std::to_string(more) + (more > 1 ? " more rows" : " more row") + " like this)";
+}
 
 int CsvTable::column(std::string_view name) const {
   const auto found = std::find(header.begin(), header.end(), name);

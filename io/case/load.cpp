@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/printable.hpp"
 #include "io/case/parts.hpp"
 #include "io/files/read_file.hpp"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 namespace gyro {
@@ -13,6 +15,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 16 << 20;  // [bytes]; a case has some kB: this keeps a wrong file out of memory
 constexpr std::string_view override_label = "--set";
 
+/// A message on one line, whatever it quotes.
+std::string one_line(std::string_view message) {
+  std::string line = printable(message);
+  for (std::size_t at = 0; (at = line.find('\n', at)) != std::string::npos;) line.replace(at, 1, "\\n");
+  return line;
+}
+
 /// Text of the case file; empty, with a problem, if it cannot be read.
 std::string read_text(const fs::path& file, CaseProblems& problems) {
   std::error_code error;
@@ -20,7 +29,10 @@ std::string read_text(const fs::path& file, CaseProblems& problems) {
   if (!fs::exists(status)) return problems.add({}, "there is no such file; give the path of a case file"), "";
   if (fs::is_directory(status)) return problems.add({}, "is a directory; give the path of a case file"), "";
   try {
-    return read_file(file, largest_file);
+    if (!fs::is_fifo(status)) return read_file(file, largest_file);
+    static std::map<fs::path, std::string> pipes;  // what they held, for messages about them
+    const auto known = pipes.find(file);
+    return known != pipes.end() ? known->second : pipes[file] = read_file(file, largest_file);
   } catch (const UnreadableFile& unreadable) {
     return problems.add({}, unreadable.problem), "";
   }
@@ -42,11 +54,11 @@ void put(YamlNode& root, const std::vector<std::string_view>& path, const Mark& 
 
 void CaseProblems::add(const Mark& mark, std::string message) {
   problems_.push_back(
-      {mark.source == 0 ? case_file_ : std::string(override_label), mark.line, mark.column, std::move(message)});
+      {mark.source == 0 ? case_file_ : std::string(override_label), mark.line, mark.column, one_line(message)});
 }
 
 void CaseProblems::add_in_file(const fs::path& file, int line, int column, std::string message) {
-  problems_.push_back({file.string(), line, column, std::move(message)});
+  problems_.push_back({file.string(), line, column, one_line(message)});
 }
 
 std::vector<CaseProblem> CaseProblems::sorted() const {

@@ -39,8 +39,11 @@ struct CaseTables {
 void apply_overrides(YamlNode& root, const std::vector<std::string>& overrides, CaseProblems& problems);
 
 /// Makes paths absolute, reports missing files, and fills in the defaults that depend on other keys: the title, the
-/// walls of a profile, motions, rocks.fill.exponent, feed.above.
+/// walls of a profile, motions, rocks.fill.exponent, feed.above, intervals of output.
 void complete_settings(Setting& root, const std::filesystem::path& case_file, CaseProblems& problems);
+
+/// Lengthens the intervals of `output` that are not given to a longer coupling.interval.
+void complete_intervals(Setting& root);
 
 /// Reads profile, sieves, motor curve, voltage, FMU, particles and bonds, and checks each of them by itself.
 CaseTables read_tables(const Setting& root, CaseProblems& problems);
@@ -53,6 +56,10 @@ void read_drive_fmu(const Setting& root, CaseTables& tables, CaseProblems& probl
 
 /// Checks the conditions between keys. Keys that have already been reported may be missing.
 void check_settings(const Setting& root, CaseProblems& problems);
+
+/// The part of check_settings() that compares the intervals of `output` with coupling.interval, at whose ends a run
+/// writes.
+void check_intervals(const Setting& root, CaseProblems& problems);
 
 /// The part of build_case() for `drivetrain`.
 /// @throws BadInput for a name plate that no motor can have

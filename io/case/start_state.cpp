@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/csv.hpp"
 #include "io/case/parts.hpp"
+#include "io/case/table_checker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,9 @@ namespace fs = std::filesystem;
 
 constexpr double largest_id = 2147483647.0;    // half of the 32-bit range: the feed uses ids above the largest one
 constexpr double largest_rock = 2147483647.0;  // of RockId, a signed 32-bit number
+constexpr double smallest_radius = 1e-8;       // of a particle [m]
+constexpr double fastest = 1e5;                // [m/s]
+constexpr double farthest = 1e7;               // from the origin, which may be that of a mine [m]
 
 bool is_whole(double x, double largest) {
   return x == std::floor(x) && x >= 0 && x <= largest;
@@ -32,18 +36,25 @@ std::vector<ReadParticle> rows_of(const fs::path& file, const CsvTable& table, C
     const auto k = static_cast<std::size_t>(begin);
     return Vec3d{row[k], row[k + 1], row[k + 2]};
   };
+  TableChecker checker(file, table, problems);
+  bool good = true;
   std::vector<ReadParticle> read;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const std::vector<double>& row = table.rows[k];
     const int line = table.lines[k];
-    if (!is_whole(row[0], largest_id))
-      problems.add_in_file(file, line, 1, "the id is out of range; it must be a whole number between 0 and 2147483647");
-    if (!(row[4] > 0)) problems.add_in_file(file, line, 1, "the radius is not positive; it must be > 0");
-    if (rock >= 0 && !is_whole(row[static_cast<std::size_t>(rock)], largest_rock))
-      problems.add_in_file(file, line, 1,
+    good &= checker.expect(is_whole(row[0], largest_id), k,
+                           "the id is out of range; it must be a whole number between 0 and 2147483647");
+    good &= checker.expect(row[4] > 0, k, "the radius is not positive; it must be > 0");
+    good &= checker.expect(row[4] <= 0 || (row[4] >= smallest_radius && row[4] <= longest_length), k,
+                           "the radius is not between 1e-8 and 1000 m; lengths are in metres");
+    good &= checker.expect(std::max({std::abs(row[1]), std::abs(row[2]), std::abs(row[3])}) <= farthest, k,
+                           "the position is more than 10,000 km away; lengths are in metres");
+    good &=
+        checker.expect(norm(three_from("vx", row)) <= fastest, k, "the speed is more than 100 km/s; speeds are in m/s");
+    good &= checker.expect(rock < 0 || is_whole(row[static_cast<std::size_t>(rock)], largest_rock), k,
                            "the rock is out of range; it must be a whole number between 0 and 2147483647");
     StartParticle particle{0, {row[1], row[2], row[3]}, three_from("vx", row), three_from("wx", row), row[4], none};
-    if (problems.empty()) {
+    if (good) {
       particle.id = static_cast<std::uint32_t>(row[0]);
       if (rock >= 0) particle.rock = static_cast<RockId>(row[static_cast<std::size_t>(rock)]);
     }
@@ -62,14 +73,13 @@ Index row_of(const std::vector<StartParticle>& particles, double id) {
 
 void read_bonds(const fs::path& file, bool rocks_given, CaseTables& tables, CaseProblems& problems) {
   const CsvTable table = read_csv(file, {"i", "j"}, {{"length0"}});
-  for (const CsvProblem& problem : table.problems)
-    problems.add_in_file(file, problem.line, problem.column, problem.message);
+  TableChecker checker(file, table, problems);
   if (!table.problems.empty()) return;
   const auto at = [&](Index row) -> const StartParticle& { return tables.particles[static_cast<std::size_t>(row)]; };
   std::vector<std::pair<StartBond, int>> read;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const std::vector<double>& row = table.rows[k];
-    const auto bad = [&](const std::string& message) { problems.add_in_file(file, table.lines[k], 1, message); };
+    const auto bad = [&](const std::string& message) { checker.expect(false, k, message); };
     const Index i = row_of(tables.particles, row[0]), j = row_of(tables.particles, row[1]);
     if (i == none || j == none) {
       bad("there is no particle " + number_text(i == none ? row[0] : row[1]) + "; give an id of particles.file");

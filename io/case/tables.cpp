@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/csv.hpp"
 #include "io/case/parts.hpp"
+#include "io/case/table_checker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,41 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Checks a table row by row, and reports problems with file and line.
-class TableChecker {
- public:
-  TableChecker(const fs::path& file, const CsvTable& table, CaseProblems& problems)
-      : file_(file), table_(table), problems_(problems) {
-    for (const CsvProblem& problem : table.problems)
-      problems.add_in_file(file, problem.line, problem.column, problem.message);
-  }
-  /// Reports a problem of row k unless `good`.
-  void expect(bool good, std::size_t k, const std::string& message) {
-    if (!good) problems_.add_in_file(file_, table_.lines.at(k), 1, message);
-  }
-  void expect_rows(std::size_t minimum) {
-    if (table_.rows.size() < minimum)
-      problems_.add_in_file(file_, 1, 1,
-                            "the table has " + std::to_string(table_.rows.size()) + " rows; it needs at least " +
-                                std::to_string(minimum));
-  }
-  void expect_rising(std::size_t column) {
-    for (std::size_t k = 1; k < table_.rows.size(); ++k)
-      expect(table_.rows[k][column] > table_.rows[k - 1][column], k,
-             table_.header[column] + " does not rise; each row must be larger than the one before");
-  }
+// No crusher is outside these limits.
+constexpr double longest_liner = 100, smallest_liner = 1e-5;  // [m]
+constexpr std::size_t max_liner_rows = 5'000;
+constexpr double largest_torque = 1e9, largest_rpm = 1e5, largest_voltage_ratio = 2;
 
- private:
-  const fs::path& file_;
-  const CsvTable& table_;
-  CaseProblems& problems_;
-};
-
-/// The file of a setting, if it exists; a missing file has already been reported.
+/// The file of a setting, if it is one; a missing file has already been reported.
 std::optional<fs::path> table_file(const Setting* setting) {
   std::error_code error;
-  if (setting == nullptr || !fs::exists(setting->texts.at(0), error) || fs::is_directory(setting->texts[0], error))
-    return std::nullopt;
+  if (setting == nullptr || !fs::is_regular_file(setting->texts.at(0), error)) return std::nullopt;
   return fs::path(setting->texts[0]);
 }
 
@@ -54,13 +29,19 @@ std::vector<LinerRow> read_liners(const fs::path& file, CaseProblems& problems) 
   TableChecker checker(file, table, problems);
   if (!table.problems.empty()) return {};
   checker.expect_rows(2);
+  if (const std::size_t n = table.rows.size(); n > max_liner_rows)  // the setting compares each row with many
+    checker.expect(false, max_liner_rows,
+                   "the profile has " + std::to_string(n) + " rows, more than " + std::to_string(max_liner_rows) +
+                       "; keep one row in " + std::to_string((n - 1) / (max_liner_rows - 1) + 1));
   checker.expect_rising(0);
   std::vector<LinerRow> liners;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const LinerRow row{table.rows[k][0], table.rows[k][1], table.rows[k][2]};
-    checker.expect(std::max({std::abs(row.z), row.mantle_radius, row.concave_radius}) <= longest_length, k,
-                   "a length is more than 1 km; give the profile in metres");
+    checker.expect(std::max({std::abs(row.z), row.mantle_radius, row.concave_radius}) <= longest_liner, k,
+                   "a length is more than 100 m; the profile is in metres: divide numbers in mm by 1000");
     checker.expect(row.mantle_radius > 0, k, "the mantle's radius is not positive; it must be > 0");
+    checker.expect(row.mantle_radius <= 0 || row.mantle_radius >= smallest_liner, k,
+                   "the mantle's radius is less than 0.01 mm; the profile is in metres");
     checker.expect(row.concave_radius > row.mantle_radius, k,
                    "there is no gap; the concave radius must be larger than the mantle radius");
     liners.push_back(row);
@@ -106,10 +87,11 @@ void check_torques(const std::vector<double>& torques, TableChecker& checker) {
     if (torques[k] > 0) continue;
     const bool drives_later = std::any_of(torques.begin() + static_cast<std::ptrdiff_t>(k), torques.end(),
                                           [](double torque) { return torque > 0; });
-    if (drives_later || k == 0)
-      return checker.expect(false, k,
-                            "the motor does not drive here; the torque must be > 0 in every row up to the synchronous "
-                            "speed");
+    if (drives_later || k == 0) {
+      checker.expect(false, k,
+                     "the motor does not drive here; the torque must be > 0 in every row up to the synchronous speed");
+      return;
+    }
     checker.expect(torques[k + 1] < 0, k + 1,
                    "the torque above the synchronous speed is not negative; give the generator's torque, or end the "
                    "table at the synchronous speed");
@@ -127,11 +109,17 @@ CurveMotor read_motor(const fs::path& file, CaseProblems& problems) {
   checker.expect_rows(2);
   checker.expect_rising(0);
   CurveMotor motor;
-  for (const std::vector<double>& row : table.rows) {
-    motor.speeds.push_back(row[0] * std::numbers::pi / 30);
-    motor.torques.push_back(row[1]);
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const double speed = table.rows[k][0], torque = table.rows[k][1];
+    checker.expect(speed <= largest_rpm, k, "the speed is more than 100,000 rpm; speeds are in rpm");
+    checker.expect(std::abs(torque) <= largest_torque, k, "the torque is more than 1e9 N m; torques are in N m");
+    motor.speeds.push_back(speed * std::numbers::pi / 30);
+    motor.torques.push_back(torque);
   }
   if (const std::size_t n = table.rows.size(); n >= 2) {
+    checker.expect(motor.speeds[0] >= 0, 0,
+                   "the first speed is negative; begin at 0 rpm, whose torque also holds when the motor is turned "
+                   "backwards");
     checker.expect(motor.speeds[0] <= 0, 0, "the curve does not begin at standstill; the first speed must be 0 rpm");
     check_torques(motor.torques, checker);
   }
@@ -148,6 +136,9 @@ VoltageInput read_voltage(const fs::path& file, CaseProblems& problems) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     checker.expect(k > 0 || table.rows[k][0] == 0, k, "the table does not begin at t = 0; the first time must be 0 s");
     checker.expect(table.rows[k][1] >= 0, k, "the voltage is negative; the ratio must be >= 0");
+    checker.expect(table.rows[k][1] <= largest_voltage_ratio, k,
+                   "the voltage is more than twice the rated one; 1 is the rated voltage: divide percent by 100, and "
+                   "volts by the rated voltage");
     voltage.times.push_back(table.rows[k][0]);
     voltage.ratios.push_back(table.rows[k][1]);
   }

@@ -18,6 +18,12 @@ Handle access_properties(const std::string& path) {
   return list;
 }
 
+/// Without this, the library would wait for a writer of the pipe without end.
+void refuse_pipe(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_fifo(path, error)) throw BadInput(path.string() + ": is a pipe; give a file");
+}
+
 /// Properties of links: names are UTF-8.
 Handle link_properties(const std::string& where) {
   Handle list = own(H5Pcreate(H5P_LINK_CREATE), where, "prepare");
@@ -72,6 +78,7 @@ File File::create(const std::filesystem::path& path) {
 }
 
 File File::open(const std::filesystem::path& path) {
+  refuse_pipe(path);
   silence_library();
   const Handle access = access_properties(path.string());
   // If metadata are inconsistent, a writer may be in the middle of a change. Therefore the library reads them again, up
@@ -84,6 +91,7 @@ File File::open(const std::filesystem::path& path) {
 }
 
 File File::open_closed(const std::filesystem::path& path) {
+  refuse_pipe(path);
   silence_library();
   const Handle access = access_properties(path.string());
   return {own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), path.string(), "open the file"), path.string()};

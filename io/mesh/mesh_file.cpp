@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace gyro {
@@ -19,6 +20,17 @@ std::string lower_extension(const std::string& path) {
   return end;
 }
 
+/// Refuses meshes so small that their areas and volumes would be zero.
+void check_coordinates(const TriangleMesh& mesh, const std::string& path) {
+  constexpr double smallest = 1e-30;
+  const Vec3d& first = mesh.vertices.front();
+  double extent = 0;
+  for (const Vec3d& v : mesh.vertices)
+    extent = std::max({extent, std::abs(v.x - first.x), std::abs(v.y - first.y), std::abs(v.z - first.z)});
+  if (extent < smallest)
+    throw BadInput(path + ": its coordinates differ by less than 1e-30; check the unit, or export the mesh again");
+}
+
 /// The triangles of a file without repairs, and notes on its form.
 RepairedMesh parse_file(const std::string& path) {
   const std::string end = lower_extension(path);
@@ -27,6 +39,7 @@ RepairedMesh parse_file(const std::string& path) {
   const std::string bytes = read_bytes(path);
   RepairedMesh given;
   given.mesh = end == ".stl" ? parse_stl(bytes, path, &given.notes) : parse_obj(bytes, path);
+  check_coordinates(given.mesh, path);
   return given;
 }
 

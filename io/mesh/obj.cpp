@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh/obj.hpp"
 
+#include "core/base/encoding.hpp"
 #include "core/base/errors.hpp"
 
 #include <charconv>
@@ -104,6 +105,7 @@ bool continues(std::string_view line) {
 
 TriangleMesh parse_obj(std::string_view text, const std::string& name) {
   ObjParser parser(name);
+  if (is_utf16(text)) throw BadInput(name + ": " + utf16_problem);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const char newline = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh/stl.hpp"
 
+#include "core/base/encoding.hpp"
 #include "core/base/errors.hpp"
 
 #include <algorithm>
@@ -69,6 +70,28 @@ class Words {
     return text_.substr(begin, at_ - begin);
   }
   void skip_line() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
+  /// Skips the name of a solid: to the end of the line, or to where a facet begins on it, as in files of a single line.
+  void skip_name() {
+    Words line = rest_of_line();
+    std::string_view end;
+    for (std::string_view word = line.next(); !word.empty(); word = line.next()) {
+      if (line.begins_facet(word)) return go_to(word);
+      if (same_word(word, "endsolid")) end = word;
+    }
+    skip_line();
+    if (!end.empty() && text_.find_first_not_of(" \t\r\n", at_) == std::string_view::npos)
+      go_to(end);  // an empty solid
+  }
+  /// The same after `endsolid`: to the end of the line, or to where another solid with a facet begins on it.
+  void skip_end_name() {
+    Words line = rest_of_line();
+    std::string_view solid;
+    for (std::string_view word = line.next(); !word.empty(); word = line.next()) {
+      if (same_word(word, "solid")) solid = word;
+      if (line.begins_facet(word)) return go_to(solid.empty() ? word : solid);
+    }
+    skip_line();
+  }
   /// Line of the word that next() returned last, from 1. Lines end with \n, \r\n or \r.
   std::size_t line() const {
     const std::string_view read = text_.substr(0, at_);
@@ -77,6 +100,19 @@ class Words {
   }
 
  private:
+  Words rest_of_line() const {
+    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    return Words(text_.substr(at_, end - at_));
+  }
+  /// Whether a word that next() gave is `facet`, and `normal` or `outer` follows.
+  bool begins_facet(std::string_view word) const {
+    if (!same_word(word, "facet")) return false;
+    Words ahead = *this;
+    const std::string_view following = ahead.next();
+    return same_word(following, "normal") || same_word(following, "outer");
+  }
+  /// Makes this word the next one.
+  void go_to(std::string_view word) { at_ = static_cast<std::size_t>(word.data() - text_.data()); }
   void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n\v\f", at_), text_.size()); }
   bool is_comment() const {
     if (text_[at_] != '#' && text_[at_] != ';') return false;
@@ -96,7 +132,7 @@ class AsciiStl {
   TriangleMesh read() {
     for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
       if (!same_word(word, "solid")) refuse_word(word, "'solid'");
-      words_.skip_line();
+      words_.skip_name();
       read_solid();
     }
     return std::move(mesh_);
@@ -122,7 +158,7 @@ class AsciiStl {
       else
         refuse_word(word, "'facet' or 'endsolid'");
     }
-    words_.skip_line();
+    words_.skip_end_name();
   }
   /// The normal is not used: the order of the corners decides which side is outside.
   void read_facet() {
@@ -162,10 +198,14 @@ class AsciiStl {
 
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
-/// Whether bytes are ASCII STL: they begin with `solid`, and have no zero bytes where a binary file has its header.
+/// Whether bytes are ASCII STL: they begin with `solid`, and have no zero bytes where a binary file has its header,
+/// unless these belong to a name.
 bool is_ascii(std::string_view text) {
-  return same_word(Words(text).next().substr(0, 5), "solid") &&
-         text.substr(0, header_size).find('\0') == std::string_view::npos;
+  Words words(text);
+  if (!same_word(words.next().substr(0, 5), "solid")) return false;
+  if (text.substr(0, header_size).find('\0') == std::string_view::npos) return true;
+  words.skip_name();
+  return same_word(words.next(), "facet");
 }
 
 /// Whether bytes after the last triangle of a binary file are ignored: fewer than a triangle has, or zeros and blanks.
@@ -196,6 +236,8 @@ TriangleMesh parse_stl(std::string_view bytes, const std::string& name, std::vec
   TriangleMesh mesh;
   if (bytes.size() >= header_size && bytes.size() == expected) {
     mesh = parse_binary(bytes, name);
+  } else if (is_utf16(bytes)) {
+    throw BadInput(name + ": " + utf16_problem);
   } else if (is_ascii(text)) {
     mesh = AsciiStl(text, name).read();
   } else if (bytes.size() >= header_size && bytes.size() > expected && is_filling(bytes.substr(expected))) {

@@ -24,15 +24,16 @@ fs::path cache_file(const fs::path& folder, const std::string& recipe) {
 
 }  // namespace
 
-RockLibrary cached_library(const LibraryRecipe& recipe, const fs::path& folder, int threads) {
+RockLibrary cached_library(const LibraryRecipe& recipe, const fs::path& folder, int threads,
+                           const LibraryProgress& progress) {
   using Clock = std::chrono::steady_clock;
-  if (folder.empty()) return make_library(recipe, threads);
+  if (folder.empty()) return make_library(recipe, threads, progress);
   const auto begin = Clock::now();
   check_recipe(recipe);
   const std::string text = recipe_text(recipe);
   std::optional<RockLibrary> library = read_cached(folder, text);
   if (!library) {
-    library = make_library(recipe, threads);
+    library = make_library(recipe, threads, progress);
     write_cached(folder, text, *library);
   }
   library->seconds = std::chrono::duration<double>(Clock::now() - begin).count();

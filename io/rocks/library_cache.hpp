@@ -14,7 +14,8 @@ namespace gyro {
 /// written again. A folder that cannot be read or written is not an error; the library is then made.
 /// @param folder  empty: no cache
 /// @throws BadInput for the reasons of make_library
-RockLibrary cached_library(const LibraryRecipe& recipe, const std::filesystem::path& folder, int threads = 0);
+RockLibrary cached_library(const LibraryRecipe& recipe, const std::filesystem::path& folder, int threads = 0,
+                           const LibraryProgress& progress = {});
 
 /// $XDG_CACHE_HOME/gyrosim, or $HOME/.cache/gyrosim, or empty if neither is set.
 std::filesystem::path default_cache_folder();

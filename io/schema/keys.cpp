@@ -258,11 +258,11 @@ const std::vector<Key> run_keys = {
 
     {.path = "output", .defaulted = true, .doc = "What a run writes, and how often."},
     {.path = "output.series", .type = quantity, .dimension = Dimension::time, .fallback = "1 ms", .range = positive,
-     .doc = "Simulated time between rows of /series."},
+     .doc = "Simulated time between rows of /series, at least coupling.interval."},
     {.path = "output.snapshots", .type = quantity, .dimension = Dimension::time, .fallback = "20 ms", .range = not_negative,
-     .doc = "Simulated time between snapshots; 0: none."},
+     .doc = "Simulated time between snapshots, at least coupling.interval; 0: none."},
     {.path = "output.checkpoints", .type = quantity, .dimension = Dimension::time, .fallback = "5 min", .range = not_negative,
-     .doc = "Wall-clock time between checkpoints; 0: one at the end only."},
+     .doc = "Wall-clock time between checkpoints, at least 1 ms; 0: one at the end only."},
     {.path = "output.probes", .type = integers, .range = {.low = 0, .high = 4294967294.0},
      .doc = "Ids of particles whose position, velocity and angular velocity are written in each row of /series; NaN after they have "
             "left the scene."},
@@ -275,7 +275,7 @@ const std::vector<Key> run_keys = {
      .doc = "Maps of pressure and sliding work of every wall except planes, in /liners of results.h5; without this section no maps "
             "are computed."},
     {.path = "output.liners.interval", .type = quantity, .dimension = Dimension::time, .required = true, .range = positive,
-     .doc = "Simulated time between maps; each map is the mean over this interval."},
+     .doc = "Simulated time between maps, at least coupling.interval; each map is the mean over this interval."},
     {.path = "output.liners.rows", .type = integer, .fallback = "32", .range = {.low = 1, .high = 1000},
      .doc = "Number of cells of the unrolled map over the height."},
     {.path = "output.liners.sectors", .type = integer, .fallback = "72", .range = {.low = 1, .high = 3600},

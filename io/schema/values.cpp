@@ -3,11 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gyro {
 namespace {
 
 using Kind = YamlNode::Kind;
+
+/// No machine has more; a larger value is a mistake in the unit [SI]. Infinite where there is no such limit.
+double largest_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::torque:
+    case Dimension::power:
+    case Dimension::inertia:
+      return 1e12;
+    case Dimension::angular_speed:
+      return 1e6;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
 
 bool contains(const std::vector<std::string_view>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -103,6 +118,11 @@ bool ValueReader::read_number(Setting& setting, const Key& key, const YamlNode& 
   if (key.dimension == Dimension::length && !std::isfinite(key.range.high) &&
       std::abs(*parsed.value) > longest_length) {
     problem(node.mark, path + " = " + node.text + " is more than 1 km; check the unit");
+    return false;
+  }
+  if (const double largest = largest_of(key.dimension); std::abs(*parsed.value) > largest) {
+    problem(node.mark, path + " = " + node.text + " is more than " + number_text(largest) + " " +
+                           std::string(si_unit(key.dimension)) + ", which no machine has; check the unit");
     return false;
   }
   setting.numbers.push_back(*parsed.value);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/yaml/yaml_tree.hpp"
 
+#include "core/base/encoding.hpp"
+#include "core/base/printable.hpp"
+
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -129,32 +132,10 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Frame> frames_;
 };
 
-/// Length of the UTF-8 sequence at the beginning of a text; 0 if it is not valid (RFC 3629: no overlong forms, no
-/// surrogates, nothing above U+10FFFF).
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
-  const auto follows = [&](std::size_t k, unsigned low = 0x80, unsigned high = 0xBF) {
-    return byte(k) >= low && byte(k) <= high;
-  };
-  const unsigned lead = byte(0);
-  if (lead == 0) return 0;
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead <= 0xDF) return follows(1) ? 2 : 0;
-  if (lead >= 0xE0 && lead <= 0xEF) {
-    const unsigned low = lead == 0xE0 ? 0xA0 : 0x80, high = lead == 0xED ? 0x9F : 0xBF;
-    return follows(1, low, high) && follows(2) ? 3 : 0;
-  }
-  if (lead >= 0xF0 && lead <= 0xF4) {
-    const unsigned low = lead == 0xF0 ? 0x90 : 0x80, high = lead == 0xF4 ? 0x8F : 0xBF;
-    return follows(1, low, high) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
-
 /// Whether a text is UTF-8. @param mark  place where the text begins; moved to the first invalid byte
 bool is_utf8(std::string_view text, Mark& mark) {
   while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
+    const std::size_t length = utf8_length(text);
     if (length == 0) return false;
     if (text.front() == '\n') {
       ++mark.line;
@@ -193,6 +174,10 @@ YamlDocument parse_yaml(std::string_view text, Mark first) {
   YamlDocument document;
   document.root.mark = first;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (is_utf16(text)) {
+    document.problems.push_back({first, utf16_problem});
+    return document;
+  }
   if (Mark bad = first; !is_utf8(text, bad)) {
     document.problems.push_back({bad, "not a text in UTF-8; save the file as UTF-8"});
     return document;

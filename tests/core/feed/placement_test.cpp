@@ -136,3 +136,24 @@ TEST_CASE("Orientations are uniform over all rotations", "[feed]") {
   for (const double m : {square.x, square.y, square.z}) CHECK(std::abs(m / n - 1.0 / 3) < se * std::sqrt(4.0 / 45));
   CHECK(std::abs(trace / n) < se);
 }
+
+TEST_CASE("A bed of spheres of very different sizes finds what a look at all of them finds", "[feed]") {
+  Bed bed;
+  std::vector<Vec3d> centres;
+  std::vector<double> radii;
+  std::uint32_t draws = 0;
+  const auto draw = [&] { return uniform(7, Stream::place, 0, draws++); };
+  for (int k = 0; k < 300; ++k) {
+    centres.push_back({draw(), draw(), draw()});
+    radii.push_back(0.2 * std::pow(10.0, -6 * draw()));
+    bed.add(centres.back(), radii.back());
+  }
+  for (const double radius : {1e-6, 1e-3, 0.1, 10.0}) {
+    const Vec3d at{draw(), draw(), draw()};
+    std::vector<Index> wanted;
+    for (std::size_t k = 0; k < centres.size(); ++k)
+      if (norm2(at - centres[k]) < (radius + radii[k]) * (radius + radii[k])) wanted.push_back(static_cast<Index>(k));
+    CHECK(bed.overlapped(at, radius) == wanted);
+  }
+  CHECK(bed.overlapped({1e7, -1e7, 1e7}, 1e-6).empty());
+}

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 using namespace gyro;
@@ -137,6 +139,31 @@ TEST_CASE("An error in the parallel part is thrown to the caller") {
   LibraryRecipe recipe = small_recipe();
   recipe.shapes = GivenShapes{{given("plate", block({10, 10, 0.1}))}};
   CHECK_THROWS_AS(make_library(recipe), BadInput);
+}
+
+TEST_CASE("The progress of a library counts its rocks, and ends with the first failure") {
+  LibraryRecipe recipe = small_recipe();
+  std::mutex mutex;
+  std::set<int> told;
+  const LibraryProgress progress = [&](int made, int of) {
+    const std::lock_guard lock(mutex);
+    CHECK(of == recipe.samples);
+    told.insert(made);
+  };
+  make_library(recipe, 2, progress);
+  CHECK(static_cast<int>(told.size()) == recipe.samples);
+  CHECK(*told.rbegin() == recipe.samples);
+  recipe.shapes = GivenShapes{{given("good", block({1, 1, 1})), given("plate", block({10, 10, 0.1}))}};
+  recipe.samples = 1000;  // takes minutes
+  told.clear();
+  CHECK_THROWS_WITH(make_library(recipe, 2, progress), Contains("do not hold together"));
+  CHECK(told.size() < 10);
+}
+
+TEST_CASE("A needle or a plate is refused with its name") {
+  LibraryRecipe recipe = small_recipe();
+  recipe.shapes = GivenShapes{{given("scan", block({10, 1e-3, 1e-3}))}};
+  CHECK_THROWS_WITH(make_library(recipe), Contains("scan: the shape is a needle or a plate"));
 }
 
 TEST_CASE("An error of a given shape is thrown to the caller") {

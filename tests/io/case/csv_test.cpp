@@ -62,7 +62,7 @@ TEST_CASE("A cause that many rows share is reported once, with what to do", "[cs
       {"size_mm;passing_percent\n1.000,5;0\n2.000,5;100\n", "without thousands separators"},
       {"size_mm,passing_percent\n10\n20\n", "(1 more row like this)"},
       {"size;passing_percent\n10;1\n", "it must be size_mm,passing_percent"},
-      {std::string("\xFF\xFEs\0i\0z\0e\0", 10), "is not a text in UTF-8"},
+      {std::string("size_mm\0", 8), "not a text in UTF-8"},
       {"", "the table is empty"},
   }));
   INFO(text);
@@ -144,4 +144,102 @@ TEST_CASE("The wear coefficient is read in 1/Pa and related units", "[csv]") {
   CHECK(coefficient("2e-4 1/GPa") == Approx(2e-13));
   CHECK(coefficient("2e-4 mm3/(N m)") == Approx(2e-13));
   CHECK(coefficient("2e-13 Pa") == -1);
+}
+
+TEST_CASE("A table in UTF-16 or with other signs between thousands is refused with its cause", "[csv]") {
+  const auto [text, reason] = GENERATE(table<std::string, std::string>({
+      {std::string("\xFF\xFEs\0i\0z\0e\0", 10), "is a text in UTF-16; save it as UTF-8"},
+      {std::string("\xFE\xFF\0s\0i\0z\0e", 10), "is a text in UTF-16"},
+      {std::string("s\0i\0z\0e\0_\0", 10), "is a text in UTF-16"},
+      {"size_mm;passing_percent\n1.234.567;0\n", "without signs between the thousands"},
+      {"size_mm;passing_percent\n1'234;0\n", "without signs between the thousands"},
+      {"size_mm;passing_percent\n1\xC2\xA0"
+       "234;0\n",
+       "without signs between the thousands"},
+  }));
+  INFO(text);
+  const CsvTable table = table_of(text);
+  REQUIRE(table.problems.size() == 1);
+  CHECK_THAT(table.problems[0].message, Contains(reason));
+}
+
+TEST_CASE("A point that may stand between thousands is refused where whole numbers stand beside it", "[csv]") {
+  const CsvTable german = table_of("size_mm;passing_percent\n500;0\n1.500;50\n2.000;100\n");
+  REQUIRE(german.problems.size() == 1);
+  CHECK(german.problems[0].line == 3);
+  CHECK_THAT(german.problems[0].message, Contains("write thousands without a sign") && Contains("(1 more row"));
+  for (const char* decimal : {
+           "size_mm,passing_percent\n1.125,0\n500,100\n",      // points are decimal between commas
+           "size_mm;passing_percent\n1.125;0\n500.000;100\n",  // three decimals everywhere
+           "size_mm;passing_percent\n1.125;0\n500;50\n500.5;100\n",
+           "size_mm;passing_percent\n1.125;0\n0.500;50\n500;100\n",
+       }) {
+    INFO(decimal);
+    CHECK(table_of(decimal).problems.empty());
+    CHECK(table_of(decimal).rows[0][0] == 1.125);
+  }
+}
+
+TEST_CASE("What a problem quotes of a table is printable", "[csv]") {
+  const std::vector<CaseProblem> problems =
+      problems_of_sieves(std::string(200, '1') + ",0\n" + std::string("\x1b[31m\xE4\0,0\n", 10));
+  REQUIRE(!problems.empty());
+  CHECK_THAT(problems[0].message, Contains("\\x1B[31m\\xE4\\x00"));
+}
+
+TEST_CASE("A motor's table outside what motors have is refused", "[csv]") {
+  const auto [rows, line, reason] = GENERATE(table<std::string, int, std::string>({
+      {"0,1e300\n1500,7.4\n1697,0\n", 2, "the torque is more than 1e9 N m"},
+      {"-100,6\n0,6\n1697,0\n", 2, "the first speed is negative; begin at 0 rpm"},
+      {"0,6\n1e300,0\n", 3, "the speed is more than 100,000 rpm"},
+  }));
+  INFO(rows);
+  const std::vector<CaseProblem> problems = problems_of_motor(rows);
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].line == line);
+  CHECK_THAT(problems[0].message, Contains(reason));
+}
+
+TEST_CASE("A voltage in percent or volts is refused", "[csv]") {
+  const std::string rows = GENERATE("0,100\n1,80\n", "0,690\n1,690\n");
+  const std::vector<CaseProblem> problems =
+      problems_with("drivetrain.motor.voltage_file", "time_s,voltage_ratio\n" + rows);
+  REQUIRE(problems.size() == 1);
+  CHECK_THAT(problems[0].message, Contains("divide percent by 100") && Contains("(1 more row like this)"));
+}
+
+TEST_CASE("A profile in millimetres is refused once, with what to do", "[csv]") {
+  const std::string header = "z_m,mantle_radius_m,concave_radius_m\n";
+  const auto problems_of = [&](const std::string& rows) { return problems_with("crusher.profile", header + rows); };
+  std::vector<CaseProblem> problems = problems_of("0,119,137\n200,60,160\n400,44,240\n");
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].line == 2);
+  CHECK_THAT(problems[0].message, Contains("the profile is in metres: divide numbers in mm by 1000 (2 more rows"));
+  problems = problems_of("0,1e-30,0.1\n0.4,0.04,0.24\n");
+  REQUIRE(problems.size() == 1);
+  CHECK_THAT(problems[0].message, Contains("less than 0.01 mm"));
+  std::string many;
+  for (int k = 0; k <= 20000; ++k) many += std::to_string(k * 2e-5) + ",0.1,0.2\n";
+  problems = problems_of(many);
+  REQUIRE(problems.size() == 1);
+  CHECK_THAT(problems[0].message, Contains("20001 rows, more than 5000; keep one row in 5"));
+}
+
+TEST_CASE("Particles of impossible size, place or speed are refused", "[csv]") {
+  const auto problems_of = [](const std::string& rows) {
+    const ScratchDirectory folder;
+    return load_case(GYRO_CASES "/box.yaml",
+                     {"particles.file=" + written(folder, "p.csv", "id,x,y,z,r,vx,vy,vz\n" + rows)})
+        .problems;
+  };
+  CHECK(problems_of("1,0,0,0.05,0.01,0,0,-1\n").empty());
+  const auto [rows, reason] = GENERATE(table<std::string, std::string>({
+      {"1,0,0,0.05,1e-30,0,0,0\n2,0,0,0.07,1e-30,0,0,0\n",
+       "not between 1e-8 and 1000 m; lengths are in metres (1 more"},
+      {"1,0,0,1e9,0.01,0,0,0\n", "more than 10,000 km away"},
+      {"1,0,0,0.05,0.01,0,0,-1e160\n", "more than 100 km/s"},
+  }));
+  INFO(rows);
+  REQUIRE(problems_of(rows).size() == 1);
+  CHECK_THAT(problems_of(rows)[0].message, Contains(reason));
 }

@@ -3,6 +3,10 @@
 #include "tests/catch.hpp"
 #include "tests/io/mesh/written.hpp"
 
+#include <sys/stat.h>
+#include <fstream>
+#include <thread>
+
 using namespace gyro;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
@@ -33,4 +37,15 @@ TEST_CASE("A file that cannot be read is refused with the reason") {
   } catch (const UnreadableFile& unreadable) {
     CHECK_THAT(unreadable.problem, Catch::Matchers::StartsWith("cannot be read"));
   }
+}
+
+TEST_CASE("A pipe is read while somebody writes into it") {
+  const ScratchDirectory folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string bytes(300'000, 'x');  // more than a pipe holds
+  std::thread writer([&] { std::ofstream(pipe) << bytes; });
+  const std::string read = read_file(pipe);
+  writer.join();
+  CHECK((read == bytes));
 }

@@ -136,3 +136,45 @@ TEST_CASE("A read error in a mesh file is reported and not taken for the end of 
   std::filesystem::create_directory(folder.path() / "folder.stl");
   CHECK_THROWS_AS(read_mesh((folder.path() / "folder.stl").string()), BadInput);
 }
+
+TEST_CASE("An ASCII STL on a single line, or with any line ends, is read") {
+  const std::string two = solid("outer bowl") + solid("b", 2);
+  for (const char* end : {" ", "\r", "\r\n", "  "}) {
+    const std::string text = replaced(two, "\n", end);
+    INFO(text);
+    CHECK(triangles(text) == 3);
+    refused(text.substr(0, text.rfind("endsolid")), "truncated");
+    refused(text.substr(0, text.rfind("endfacet")), "truncated");
+    refused(replaced(text, "vertex 1 0 0", "vertex 1 0,5 0"), "'0,5' in place of a coordinate");
+  }
+  refused("solid a endsolid a", "no triangles");
+  CHECK(triangles(replaced(solid("endsolid"), "\n", " ")) == 1);
+}
+
+TEST_CASE("A mesh in UTF-16 is refused with its cause") {
+  const std::string text = solid("a"), corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto wide = [](const std::string& narrow, bool little, bool mark) {
+    std::string bytes = mark ? (little ? "\xFF\xFE" : "\xFE\xFF") : "";
+    for (const char c : narrow) bytes += little ? std::string{c, '\0'} : std::string{'\0', c};
+    return bytes;
+  };
+  for (const bool little : {true, false})
+    for (const bool mark : {true, false}) {
+      refused(wide(text, little, mark), "is a text in UTF-16; save it as UTF-8");
+      CHECK_THROWS_WITH(parse_obj(wide(corners, little, mark), "x.obj"), Contains("x.obj: is a text in UTF-16"));
+    }
+}
+
+TEST_CASE("What a message quotes of a mesh is printable") {
+  refused(std::string("solid a\0b\nfacet nor\0mal 0 0 1\n", 32), "'nor\\x00mal' in place of");
+  CHECK(triangles(replaced(solid("a"), "solid a\n", std::string("solid a\0b\n", 10))) == 1);
+  refused(replaced(solid("a"), "vertex 1", "\x1b[31mvert\xE4x"), "'\\x1B[31mvert\\xE4x' in place of 'vertex'");
+  CHECK_THROWS_WITH(parse_obj("v 0 0 0\nf 1\x07 1 1\n", "x.obj"), Contains("'1\\x07'"));
+}
+
+TEST_CASE("Coordinates that no drawing has are refused") {
+  const ScratchDirectory folder;
+  const std::string small =
+      replaced(replaced(solid("a"), "vertex 1", "vertex 1e-200"), "vertex 0 1", "vertex 0 1e-200");
+  CHECK_THROWS_WITH(read_mesh(written(folder, "s.stl", small)), Contains("s.stl: ") && Contains("coordinates"));
+}
