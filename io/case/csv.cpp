@@ -200,10 +200,10 @@ class CsvReader {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-      row_problem(
-          "value " + std::to_string(column), line, cell.column,
-          "\"" + cell.text.substr(0, 40) + "\" is not a value of " + table_.header[column] + "; give a finite number" +
-              (commas + points > 1 || has_other_signs(cell.text) ? ", without thousands separators" : ""));
+      row_problem("value " + std::to_string(column), line, cell.column,
+                  "\"" + cell.text.substr(0, 40) + "\" is not a value of " + table_.header[column] +
+                      "; give a finite number" +
+                      (commas + points > 1 || has_other_signs(cell.text) ? ", without thousands separators" : ""));
       return value;
     }
     if (commas > 0 || points > 0) expect_same_sign(commas > 0, cell, line);

@@ -74,8 +74,8 @@ const std::vector<Key> table = {
     {.path = "drivetrain.motor.speed", .type = quantity, .dimension = angular_speed, .range = positive, .when = "model=constant_speed",
      .doc = "Speed of the motor."},
     {.path = "drivetrain.motor.voltage", .type = quantity, .range = {.low = 0, .high = 2, .low_open = true},
-     .doc = "Supply voltage / rated voltage, 1 by default; torque is proportional to its square, a droop line is shifted "
-            "instead; not with constant_speed."},
+     .doc = "Supply voltage / rated voltage, 1 by default; the torque is proportional to its square, but a droop line is shifted; "
+            "not with constant_speed."},
     {.path = "drivetrain.motor.voltage_file", .type = file,
      .doc = "Instead of voltage: CSV with the header time_s,voltage_ratio, with linear interpolation between the rows, for example "
             "for a soft starter."},

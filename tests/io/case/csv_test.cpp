@@ -151,11 +151,11 @@ TEST_CASE("A table in UTF-16 or with other signs between thousands is refused wi
       {std::string("\xFF\xFEs\0i\0z\0e\0", 10), "is a text in UTF-16; save it as UTF-8"},
       {std::string("\xFE\xFF\0s\0i\0z\0e", 10), "is a text in UTF-16"},
       {std::string("s\0i\0z\0e\0_\0", 10), "is a text in UTF-16"},
-      {"size_mm;passing_percent\n1.234.567;0\n", "without signs between the thousands"},
-      {"size_mm;passing_percent\n1'234;0\n", "without signs between the thousands"},
+      {"size_mm;passing_percent\n1.234.567;0\n", "without thousands separators"},
+      {"size_mm;passing_percent\n1'234;0\n", "without thousands separators"},
       {"size_mm;passing_percent\n1\xC2\xA0"
        "234;0\n",
-       "without signs between the thousands"},
+       "without thousands separators"},
   }));
   INFO(text);
   const CsvTable table = table_of(text);
