@@ -6,6 +6,7 @@
 #include "core/exec/phase_timer.hpp"
 #include "gpu/sort_scan.hpp"
 
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -36,20 +37,37 @@ __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
   if (i < n) kernel(i);
 }
 
+template <class Kernel>
+__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
+    run_picked(Index n, const __grid_constant__ Kernel kernel) {
+  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < n && kernel.pick(i)) kernel(typename Kernel::Lane{i});
+}
+
 /// One thread block for each block of the kernel, colour by colour: items are added to rows in the order of the CPU.
 template <class Kernel>
 __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
-    run_blocks(const __grid_constant__ Kernel kernel) {
+    run_blocks(int passes, const __grid_constant__ Kernel kernel) {
   const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
               me = static_cast<Index>(threadIdx.x);
   const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
-  for (Index row = rows.begin + me; row < rows.end; row += step) kernel.clear(row);
-  __syncthreads();
-  for (Index c = colours.begin; c < colours.end; ++c) {
-    const IndexRange items = kernel.items_of_colour(c);
-    for (Index item = items.begin + me; item < items.end; item += step) kernel(typename Kernel::Lane{item}, k);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (Index row = rows.begin + me; row < rows.end; row += step) kernel.prepare(row, pass);
     __syncthreads();
+    for (Index c = colours.begin; c < colours.end; ++c) {
+      const IndexRange items = kernel.items_of_colour(c);
+      for (Index item = items.begin + me; item < items.end; item += step) kernel(typename Kernel::Lane{item}, k, pass);
+      __syncthreads();
+    }
   }
+}
+
+/// The items [first, first + n) of a block whose items fill the device.
+template <class Kernel>
+__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
+    run_items(Index first, Index n, const __grid_constant__ Kernel kernel) {
+  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < n) kernel(typename Kernel::Lane{first + i});
 }
 
 /// Sum of each chunk, in order. The threads of a warp map together, one of them adds.
@@ -107,6 +125,15 @@ class Cuda {
     finish(label, mark);
   }
 
+  template <class Kernel>
+  void for_each_picked(const char* label, Index n, const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
+    if (n == 0) return;
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    run_picked<<<static_cast<unsigned>((n - 1) / threads_per_block + 1), threads_per_block>>>(n, kernel);
+    finish(label, mark);
+  }
+
   /// A colour is one pass of the block's threads: more of them than a colour has bonds would only wait.
   template <class Kernel>
   void for_each_block(const char* label, const BlockLaunch& launch, const Kernel& kernel) {
@@ -116,7 +143,19 @@ class Cuda {
     const unsigned threads = launch.colour_size <= warp       ? warp
                              : launch.colour_size <= 2 * warp ? 2 * warp
                                                               : threads_per_block;
-    run_blocks<<<static_cast<unsigned>(launch.blocks), threads>>>(kernel);
+    run_blocks<<<static_cast<unsigned>(launch.blocks), threads>>>(launch.passes, kernel);
+    finish(label, mark);
+  }
+
+  template <class Kernel>
+  void for_each_colour(const char* label, std::span<const Index> colour_begin, const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) {
+      const Index first = colour_begin[c], n = colour_begin[c + 1] - first;
+      if (n == 0) continue;
+      run_items<<<static_cast<unsigned>((n - 1) / threads_per_block + 1), threads_per_block>>>(first, n, kernel);
+    }
     finish(label, mark);
   }
 

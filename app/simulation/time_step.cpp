@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation/time_step.hpp"
 
-#include "core/laws/contact/constants.hpp"
+#include "core/laws/contact/scene_contacts.hpp"
 #include "core/laws/contact/models.hpp"
 #include "core/scene/wall_motion.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "core/base/hd.hpp"
 
-// The only two things that threads of one kernel may do to the same memory: raise a flag and take a
+// The only things that threads of one kernel may do to the same memory: raise a flag, look at it, and take a
 // number. Both are whole numbers, so results never depend on who came first once they are sorted.
 
 namespace gyro {
@@ -14,6 +14,15 @@ GYRO_HD inline void raise_flag(std::int32_t* flag) {
   atomicExch(flag, 1);
 #else
   __atomic_store_n(flag, 1, __ATOMIC_RELAXED);
+#endif
+}
+
+/// Whether a flag is up that other threads may raise meanwhile.
+GYRO_HD inline bool is_raised(const std::int32_t* flag) {
+#if defined(__CUDA_ARCH__)
+  return *static_cast<const volatile std::int32_t*>(flag) != 0;
+#else
+  return __atomic_load_n(flag, __ATOMIC_RELAXED) != 0;
 #endif
 }
 

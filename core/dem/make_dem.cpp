@@ -4,6 +4,7 @@
 #include "core/dem/solver.hpp"
 #include "core/exec/cpu.hpp"
 #include "core/kernels/bond_pack.hpp"
+#include "core/kernels/pair_pack.hpp"
 
 namespace gyro {
 

@@ -3,6 +3,7 @@
 
 #include "core/base/saved_state.hpp"
 #include "core/dem/particle_store.hpp"
+#include "core/kernels/bond_forces.hpp"
 #include "core/scene/accounts.hpp"
 
 #include <algorithm>

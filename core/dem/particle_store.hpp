@@ -5,7 +5,7 @@
 #include "core/dem/arrivals.hpp"
 #include "core/dem/removal.hpp"
 #include "core/exec/block_launch.hpp"
-#include "core/kernels/bond_forces.hpp"
+#include "core/state/pieces.hpp"
 
 #include <numeric>
 #include <string>
@@ -37,7 +37,8 @@ class ParticleStore {
   ConstParticleView read() const { return view_of<ConstParticleView>(particles_); }
   BondView<Real> bond_view() { return view_of<BondView<Real>>(bonds_); }
   ConstBondView<Real> read_bonds() const { return view_of<ConstBondView<Real>>(bonds_); }
-  BlockList block_list() { return {blocks_.data(), colour_begin_.data()}; }
+  Block* block_view() { return blocks_.data(); }
+  const Index* colour_begin() const { return colour_begin_.data(); }  ///< a block has one entry more than colours
   BondIndex bond_index() const {
     return {with_bonds_ ? bond_row_begin_.data() : nullptr,
             bond_row_.data(),
@@ -48,11 +49,19 @@ class ParticleStore {
   }
   /// Null without bonds.
   const std::int32_t* bond_state() const { return with_bonds_ ? bonds_.state.data() : nullptr; }
-  BlockLaunch block_launch() const {
-    const std::size_t blocks = blocks_.size(), begins = colour_begin_.size();  // a block has one more than colours
-    const std::size_t colours = begins > blocks ? begins - blocks : 1;
-    return {static_cast<Index>(blocks), static_cast<Index>(bonds_.i.size() / colours)};
-  }
+
+  /// All particles, as AdvanceRocks takes them.
+  const Piece* pieces() const { return pieces_.data(); }
+  BlockLaunch piece_launch() const { return {static_cast<Index>(pieces_.size()), colour_size()}; }
+  /// Particles of large rocks, without their bonds.
+  const Piece* large_rows() const { return large_rows_.data(); }
+  BlockLaunch large_launch() const { return {static_cast<Index>(large_rows_.size()), 0}; }
+  /// Large rocks, each with the begins of its colours.
+  struct LargeRock {
+    Index block;
+    std::vector<Index> colour_begin;
+  };
+  const std::vector<LargeRock>& large_rocks() const { return large_rocks_; }
 
   typename Arrivals<Real>::Present present() const {
     return {count(), bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
@@ -64,7 +73,7 @@ class ParticleStore {
     BondView<Real>::for_each_column(append_rows, bonds_, arrivals.bonds());
     Exec::append(blocks_, arrivals.blocks());
     Exec::append(colour_begin_, arrivals.colour_begin());
-    index_bonds();
+    reindex();
   }
 
   /// Removes all other particles, with their bonds.
@@ -76,7 +85,7 @@ class ParticleStore {
           if (column.size() > 0) Exec::keep(column, remaining.old_index);  // some columns exist only with bonds
         },
         particles_);
-    index_bonds();
+    reindex();
   }
 
   void save(SavedState& to) const {
@@ -103,7 +112,7 @@ class ParticleStore {
     BondView<Real>::for_each_column(restore_columns("bonds/", bonds), bonds_);
     Exec::upload(blocks_, from.get<Block>("blocks"));
     Exec::upload(colour_begin_, from.get<Index>("colours/begin"));
-    index_bonds();
+    reindex();
   }
 
  private:
@@ -121,6 +130,31 @@ class ParticleStore {
     Exec::upload(particles_.block, std::move(block));
     Exec::upload(blocks_, std::move(kept.blocks));
     Exec::upload(colour_begin_, std::move(kept.colour_begin));
+  }
+
+  void reindex() {
+    index_bonds();
+    index_pieces();
+  }
+
+  void index_pieces() {
+    const auto& blocks = Exec::host(blocks_);
+    Pieces pieces = make_pieces(with_bonds_ ? blocks : std::vector<Block>{}, count());
+    large_rocks_.clear();
+    const auto& colours = Exec::host(colour_begin_);
+    for (const Index block : pieces.large) {
+      const Block& b = blocks[static_cast<std::size_t>(block)];
+      large_rocks_.push_back({block, {colours.begin() + b.first_colour, colours.begin() + b.end_colour}});
+    }
+    Exec::upload(pieces_, std::move(pieces.together));
+    Exec::upload(large_rows_, std::move(pieces.large_rows));
+  }
+
+  /// Bonds in a colour, on average.
+  Index colour_size() const {
+    const std::size_t blocks = blocks_.size(), begins = colour_begin_.size();  // a block has one more than colours
+    const std::size_t colours = begins > blocks ? begins - blocks : 1;
+    return static_cast<Index>(bonds_.i.size() / colours);
   }
 
   /// Lists the bonds of each particle.
@@ -155,6 +189,8 @@ class ParticleStore {
   Buffer<Block> blocks_;
   Buffer<Index> colour_begin_;               ///< first bond of each colour; a block has one entry more than colours
   Buffer<Index> bond_row_begin_, bond_row_;  ///< BondIndex
+  Buffer<Piece> pieces_, large_rows_;        ///< Pieces
+  std::vector<LargeRock> large_rocks_;
 };
 
 }  // namespace gyro

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/laws/bond/constants.hpp"
-#include "core/laws/contact/constants.hpp"
 #include "core/laws/contact/models.hpp"
+#include "core/laws/contact/scene_contacts.hpp"
 
 #include <vector>
 

@@ -7,8 +7,7 @@
 #include "core/dem/snapshots.hpp"
 #include "core/dem/wall_accounts.hpp"
 #include "core/dem/wall_motion.hpp"
-#include "core/kernels/gather.hpp"
-#include "core/kernels/move.hpp"
+#include "core/kernels/advance_rocks.hpp"
 #include "core/kernels/pair_forces.hpp"
 #include "core/scene/dem.hpp"
 
@@ -50,21 +49,16 @@ class DemSolver final : public Dem {
   void restore(const SavedState& saved) override;
 
  private:
-  /// Where a step lies in its hold, and its hold in the window.
-  struct StepInHold {
-    bool first;  ///< contact and wall forces are evaluated
-    bool last;   ///< in the last hold of the window: half of its impulse belongs to the next
-  };
-
-  void step(std::int64_t number, const StepInHold& hold);
-  void move();
+  void advance_to_hold(std::int64_t step, bool first_of_window);
+  void advance_rocks(Motions first, std::int64_t step, int passes);
+  Move move();
+  Gather<Real> gather();
+  void finish_step(bool contacts_are_new, bool kick);
   void watch();
   void rebuild_lists();
-  void bond_forces(std::int64_t number);
   void contact_forces(double half_hold_offset, double carry_over);
   template <bool held>
   void launch_contacts(double half_hold_offset, double carry_over);
-  void gather(bool contacts_are_new, bool kick);
   void prime();
   void close_window(const Window& window);
   void keep_excess();

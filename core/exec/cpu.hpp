@@ -23,17 +23,21 @@ namespace gyro {
 /// and knows nothing of what they compute; gpu/ has its twin. Contract of each operation:
 ///
 ///   for_each(label, n, kernel)             kernel(i) for i in [0, n), any order; no two calls write the same
-///   for_each_block(label, blocks, kernel)  kernel(lanes, k) over the items of each block k, see below
+///   for_each_picked(label, n, kernel)      kernel(lanes) over those i of [0, n) for which kernel.pick(i), called once
+///                                          each, is true; any order
+///   for_each_block(label, launch, kernel)  kernel(lanes, k, pass) over the items of each block k, see below
+///   for_each_colour(label, colours, kernel)  kernel(lanes) over the items of one large block, colour by colour
 ///   reduce(label, n, map)                  sum of map(i), added in a fixed order
 ///   exclusive_scan(n, counts)              in place, n + 1 numbers; returns the total
 ///   sort_by_key(keys, values)              stable
 ///   host, upload, append, keep             the host's side of a buffer
 ///   host_team()                            threads for work on the host; null without any
 ///
-/// A kernel over blocks says how its work lies: rows(k) are cleared first, by clear(row); items(k) are then worked on
-/// as if one after the other. A CPU core takes Kernel::Pack::count items at a time, a GPU takes one item a thread
-/// (Kernel::Lane) and all items of a colour at once, for the colours(k) in their order. Rows of blocks are disjoint and
-/// ascend with k.
+/// A kernel over blocks says how its work lies: rows(k) are prepared first, by prepare(row, pass); items(k) are then
+/// worked on as if one after the other; both `passes` times. A CPU core takes Kernel::Pack::count items at a time, a
+/// GPU takes one item a thread (Kernel::Lane) and all items of a colour at once, for the colours(k) in their order.
+/// Rows of blocks are disjoint and ascend with k. The colours of a large block are given as the begins of their ranges
+/// of items.
 ///
 /// A buffer has size(), data() and resize(n), which keeps what is there and sets what is new to zero.
 /// Its elements are read and written by kernels or through the last four operations only. Kernels get
@@ -71,23 +75,50 @@ class Cpu {
   }
 
   template <class Kernel>
-  void for_each_block(const char* label, const BlockLaunch& launch, const Kernel& kernel) {
-    using Pack = typename Kernel::Pack;  // the order of items is enough for one thread: no colours
+  void for_each_picked(const char* label, Index n, const Kernel& kernel) {
+    GYRO_EXPECT(n >= 0);
     const PhaseTimer::Mark mark = timer_.begin(label);
-    // A thread starts with the blocks whose rows are its share of for_each, so that they stay in its
-    // cache, and then helps the others.
-    std::vector<BlockShare> shares = shares_of(launch.blocks, kernel);
-    team_->run([&](int t) {
-      for (int turn = 0; turn < threads_; ++turn) {
-        BlockShare& share = shares[static_cast<std::size_t>((t + turn) % threads_)];
-        for (Index k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;) {
-          const IndexRange rows = kernel.rows(k), items = kernel.items(k);
-          GYRO_EXPECT(rows.begin <= rows.end && (items.end - items.begin) % Pack::count == 0);
-          for (Index row = rows.begin; row < rows.end; ++row) kernel.clear(row);
-          for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k);
+    if (n < inline_limit || threads_ == 1) {
+      work_on_picked({0, n}, kernel);
+    } else {
+      const Index share = (n + threads_ - 1) / threads_;
+      team_->run([&](int t) { work_on_picked({std::min(n, t * share), std::min(n, (t + 1) * share)}, kernel); });
+    }
+    timer_.end(mark);
+  }
+
+  template <class Kernel>
+  void for_each_block(const char* label, const BlockLaunch& launch, const Kernel& kernel) {
+    if (launch.blocks == 0) return;
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    if (threads_ == 1 || kernel.rows(launch.blocks - 1).end - kernel.rows(0).begin < inline_limit) {
+      for (Index k = 0; k < launch.blocks; ++k) work_on_block(k, launch.passes, kernel);
+    } else {
+      // A thread starts with the blocks whose rows are its share of for_each, so that they stay in its
+      // cache, and then helps the others.
+      std::vector<BlockShare> shares = shares_of(launch.blocks, kernel);
+      team_->run([&](int t) {
+        for (int turn = 0; turn < threads_; ++turn) {
+          BlockShare& share = shares[static_cast<std::size_t>((t + turn) % threads_)];
+          for (Index k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
+            work_on_block(k, launch.passes, kernel);
         }
-      }
-    });
+      });
+    }
+    timer_.end(mark);
+  }
+
+  template <class Kernel>
+  void for_each_colour(const char* label, std::span<const Index> colour_begin, const Kernel& kernel) {
+    const PhaseTimer::Mark mark = timer_.begin(label);
+    for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) {
+      const Index begin = colour_begin[c], items = colour_begin[c + 1] - begin;
+      const auto share_begin = [&](Index t) {  // whole packs, but for the last share
+        using Pack = typename Kernel::Pack;
+        return t == threads_ ? begin + items : begin + items / Pack::count * t / threads_ * Pack::count;
+      };
+      team_->run([&](int t) { work_on_items({share_begin(t), share_begin(t + 1)}, kernel); });
+    }
     timer_.end(mark);
   }
 
@@ -179,6 +210,45 @@ class Cpu {
  private:
   static constexpr Index inline_limit = 128;  // below, waking threads costs more than they save
   static constexpr Index chunk = 1024;
+
+  /// The order of items is enough for one thread: no colours.
+  template <class Kernel>
+  static void work_on_block(Index k, int passes, const Kernel& kernel) {
+    using Pack = typename Kernel::Pack;
+    const IndexRange rows = kernel.rows(k), items = kernel.items(k);
+    GYRO_EXPECT(rows.begin <= rows.end && (items.end - items.begin) % Pack::count == 0);
+    for (int pass = 0; pass < passes; ++pass) {
+      for (Index row = rows.begin; row < rows.end; ++row) kernel.prepare(row, pass);
+      for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k, pass);
+    }
+  }
+  /// Collects what is picked and works on it in packs; what is left is done one by one.
+  template <class Kernel>
+  static void work_on_picked(const IndexRange& range, const Kernel& kernel) {
+    constexpr int lanes = Kernel::Pack::count;
+    Index picked[64];
+    int count = 0;
+    const auto work = [&] {
+      int k = 0;
+      if constexpr (lanes > 1)
+        for (; k + lanes <= count; k += lanes) kernel(typename Kernel::Pack{picked + k});
+      return k;
+    };
+    for (Index i = range.begin; i < range.end; ++i) {
+      if (!kernel.pick(i)) continue;
+      picked[count++] = i;
+      if (count == 64) work(), count = 0;
+    }
+    for (int k = work(); k < count; ++k) kernel(typename Kernel::Lane{picked[k]});
+  }
+  /// Packs, and what is left one by one.
+  template <class Kernel>
+  static void work_on_items(const IndexRange& items, const Kernel& kernel) {
+    using Pack = typename Kernel::Pack;
+    Index item = items.begin;
+    for (; item + Pack::count <= items.end; item += Pack::count) kernel(Pack{item});
+    for (; item < items.end; ++item) kernel(typename Kernel::Lane{item});
+  }
 
   /// Blocks [next, end) that one thread starts with. On a cache line of its own: all threads count down theirs.
   struct alignas(64) BlockShare {

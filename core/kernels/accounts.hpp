@@ -147,7 +147,8 @@ struct SumBonds {
 
   GYRO_HD BondSums operator()(Index n) const {
     if (b.state[n] == bond_broken) return {};
-    const BondLanes<Real, OneLane> bond(OneLane{n}, p, b, 0);
+    BondLanes<Real, OneLane> bond(OneLane{n}, p, b);
+    if (b.state[n] != bond_intact) bond.carry_axes(OneLane{n}, p, b, b.state[n], 0);
     const double elastic = static_cast<double>(bond_load(model, law, bond, b.state[n] != bond_intact).elastic);
     if (b.state[n] != bond_intact) return {elastic, 0, 0, 0};
     return {elastic, 1, ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
@@ -170,7 +171,7 @@ struct ReadBonds {
 
   GYRO_HD void operator()(Index n) const {
     if (b.state[n] != bond_intact) return;
-    const BondLoad<Real> load = bond_load(model, law, BondLanes<Real, OneLane>(OneLane{n}, p, b, 0), false);
+    const BondLoad<Real> load = bond_load(model, law, BondLanes<Real, OneLane>(OneLane{n}, p, b), false);
     const Vec3d span = p.position[b.j[n]].x - p.position[b.i[n]].x;
     now[n] = {-dot(cast<double>(load.force), span) / norm(span),
               static_cast<double>(larger(load.tension_ratio, load.shear_ratio))};

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/hd.hpp"
+#include "core/kernels/particle_row.hpp"
 #include "core/laws/bond/bond_load.hpp"
 #include "core/math/quat.hpp"
 #include "core/math/select.hpp"
 #include "core/state/bonds.hpp"
-#include "core/state/particles.hpp"
 
 // Lanes: how a kernel that works on one bond reads and writes memory. OneLane is one bond, for a GPU
 // thread and for tests; PackLanes (bond_pack.hpp) is N neighbouring bonds, for a CPU core. Both do
@@ -39,9 +38,14 @@ struct OneLane {
   GYRO_HD T load(const T* column) const {
     return column[n];
   }
-  GYRO_HD Vec3d vector(const Sphere* rows, Index row) const { return rows[row].x; }
-  GYRO_HD Vec3d vector(const Motion* rows, Index row) const { return rows[row].v; }
-  GYRO_HD Vec3d vector(const AngularMotion* rows, Index row) const { return rows[row].w; }
+  template <class T, class Row>
+  GYRO_HD Vec3<T> vector(const Row* rows, Index row) const {
+    return gyro::cast<T>(row_of(rows[row]).vector);
+  }
+  template <class T, class Row>
+  GYRO_HD Vec3<T> difference(const Row* rows, Index a, Index b) const {
+    return gyro::cast<T>(row_of(rows[a]).vector - row_of(rows[b]).vector);
+  }
   GYRO_HD Quatd quaternion(const Quatd* rows, Index row) const { return rows[row]; }
 
   template <class To, class From>

@@ -3,17 +3,12 @@
 
 // Host only.
 #include "core/kernels/bond_lane.hpp"
-#include "core/math/pack.hpp"
-
-#include <array>
+#include "core/kernels/row_columns.hpp"
 
 namespace gyro {
 
 /// N neighbouring bonds, `first` a multiple of N. The loads are computed together and added to the
-/// particles' rows one bond after the other.
-///
-/// N = 8 because the strains are double: one 512-bit register. With 16 the doubles take two and the
-/// trial ran 30 % slower (core/README.md).
+/// particles' rows one bond after the other. N is 4 or 8.
 template <int N>
 struct PackLanes {
   template <class T>
@@ -28,14 +23,19 @@ struct PackLanes {
     return out;
   }
 
-  Vec3<Pack<double, N>> vector(const Sphere* rows, const Pack<Index, N>& row) const { return first_three(rows, row); }
-  Vec3<Pack<double, N>> vector(const Motion* rows, const Pack<Index, N>& row) const { return first_three(rows, row); }
-  Vec3<Pack<double, N>> vector(const AngularMotion* rows, const Pack<Index, N>& row) const {
-    return first_three(rows, row);
+  /// The vector of a row, in the number type T.
+  template <class T, class Row>
+  Vec3<Pack<T, N>> vector(const Row* rows, const Pack<Index, N>& row) const {
+    return row_columns<T, N>([&](int k) { return whole_row(rows, row.v[k]); }).vector;
+  }
+  /// The vector of row a less that of row b, subtracted in double, in the number type T.
+  template <class T, class Row>
+  Vec3<Pack<T, N>> difference(const Row* rows, const Pack<Index, N>& a, const Pack<Index, N>& b) const {
+    return row_columns<T, N>([&](int k) { return whole_row(rows, a.v[k]) - whole_row(rows, b.v[k]); }).vector;
   }
   Quat<Pack<double, N>> quaternion(const Quatd* rows, const Pack<Index, N>& row) const {
-    const FourPacks p = gather_rows(rows, row);
-    return {p[0], p[1], p[2], p[3]};
+    const auto c = row_columns<double, N>([&](int k) { return whole_row(rows, row.v[k]); });
+    return {c.vector.x, c.vector.y, c.vector.z, c.number};
   }
 
   template <class To, class From>
@@ -95,38 +95,6 @@ struct PackLanes {
   }
 
  private:
-  using FourPacks = std::array<Pack<double, N>, 4>;
-
-  /// The four doubles of N rows, one pack for each column. Rows are loaded whole and transposed in registers: half the
-  /// instructions of a gather number by number.
-  template <class Row>
-  static FourPacks gather_rows(const Row* rows, const Pack<Index, N>& row) {
-    static_assert(sizeof(Row) == 4 * sizeof(double) && N == 8);
-    using Four = typename VectorOf<double, 4>::type;
-    const auto whole = [&](int k) {
-      Four v;
-      std::memcpy(&v, rows + row.v[k], sizeof v);
-      return v;
-    };
-    // Rows k and k + 4 side by side, then the same columns interleaved: x0 x1 z0 z1 | x4 x5 z4 z5.
-    const auto join = [&](int k) { return __builtin_shufflevector(whole(k), whole(k + 4), 0, 1, 2, 3, 4, 5, 6, 7); };
-    const auto r0 = join(0), r1 = join(1), r2 = join(2), r3 = join(3);
-    const auto xz01 = __builtin_shufflevector(r0, r1, 0, 8, 2, 10, 4, 12, 6, 14);
-    const auto yw01 = __builtin_shufflevector(r0, r1, 1, 9, 3, 11, 5, 13, 7, 15);
-    const auto xz23 = __builtin_shufflevector(r2, r3, 0, 8, 2, 10, 4, 12, 6, 14);
-    const auto yw23 = __builtin_shufflevector(r2, r3, 1, 9, 3, 11, 5, 13, 7, 15);
-    using P = Pack<double, N>;
-    return {P{__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13)},
-            P{__builtin_shufflevector(yw01, yw23, 0, 1, 8, 9, 4, 5, 12, 13)},
-            P{__builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15)},
-            P{__builtin_shufflevector(yw01, yw23, 2, 3, 10, 11, 6, 7, 14, 15)}};
-  }
-  template <class Row>
-  static Vec3<Pack<double, N>> first_three(const Row* rows, const Pack<Index, N>& row) {
-    const FourPacks p = gather_rows(rows, row);
-    return {p[0], p[1], p[2]};
-  }
-
   template <class Real>
   static void transpose(const Pack<Real, N> (&columns)[8], Real (&rows)[N][8]) {
     for (int c = 0; c < 8; ++c)
@@ -142,13 +110,6 @@ struct PackLanes {
     std::memcpy(&more.v, row, sizeof more.v);
     sum = sum + pack_cast<double>(more);
     std::memcpy(static_cast<void*>(&load), &sum.v, sizeof sum.v);
-  }
-  template <class Vector>
-  static bool any_bit(const Vector& v) {
-    std::uint64_t words[sizeof(Vector) / 8], all = 0;
-    std::memcpy(words, &v, sizeof v);
-    for (const std::uint64_t w : words) all |= w;
-    return all != 0;
   }
 };
 

@@ -1,50 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/kernels/move.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
 
 namespace gyro {
 
-/// Second half of a velocity Verlet step: adds up what acts on a particle, in the fixed order
-/// gravity, bonds, contacts by partner id, walls by wall id, and gives the second half of the kick.
-/// Forces that are held over several steps are added up once and kept.
+/// Adds up what acts on a particle, in the fixed order gravity, bonds, contacts by partner id, walls by wall id. Forces
+/// that are held over several steps are added up once and kept.
 template <class Real>
 struct Gather {
   ParticleView p;
   ConstPairView<Real> pairs;
   ConstWallPairView<Real> walls;
   Vec3d gravity;
-  double dt;
   bool with_bonds;
-  Load* held;          ///< contacts and walls of each particle; null: evaluated in each step
-  bool first_of_hold;  ///< contacts and walls have just been evaluated
-  bool kick;           ///< false: only the loads, before the first step of a scene
+  Load* held;  ///< contacts and walls of each particle; null: evaluated in each step
 
-  GYRO_HD void operator()(Index n) const {
-    const Motion motion = p.motion[n];
-    LostWork lost = p.losses[n];
-    Vec3d force = motion.mass * gravity;
-    Vec3d torque{0, 0, 0};
+  /// @param mass           [kg]
+  /// @param first_of_hold  contacts and walls have just been evaluated
+  /// @param lost           of the particle so far; the losses of this step are added
+  /// @return the total, without losses
+  GYRO_HD Load sum(Index n, double mass, bool first_of_hold, LostWork& lost) const {
+    Load total;
+    total.force = mass * gravity;
     if (with_bonds) {
       const Load bonds = p.bond_load[n];
-      force += bonds.force;
-      torque += bonds.torque;
+      total.force += bonds.force;
+      total.torque += bonds.torque;
       lost.bond_damping += bonds.damped;
       lost.bond_slip += bonds.slipped;
     }
     if (held == nullptr) {
-      add_contacts(n, force, torque, lost);
+      add_contacts(n, total.force, total.torque, lost);
     } else {
       if (first_of_hold) {
         Load sum;
         add_contacts(n, sum.force, sum.torque, lost);
         held[n] = sum;
       }
-      force += held[n].force;
-      torque += held[n].torque;
+      total.force += held[n].force;
+      total.torque += held[n].torque;
     }
-    store(n, force, torque, lost);
+    return total;
   }
 
  private:
@@ -72,17 +71,25 @@ struct Gather {
       lost.contact_slip += static_cast<double>(r.slipped);
     }
   }
+};
 
-  GYRO_HD void store(Index n, const Vec3d& force, const Vec3d& torque, const LostWork& lost) const {
-    Load load;
-    load.force = force;
-    load.torque = torque;
+/// Second half of a velocity Verlet step: the second half of the kick, with the loads of the new position.
+template <class Real>
+struct FinishStep {
+  Gather<Real> gather;
+  double dt;           ///< [s]
+  bool first_of_hold;  ///< as in Gather::sum()
+  bool kick;           ///< false: only the loads, before the first step of a scene
+
+  GYRO_HD void operator()(Index n) const {
+    const ParticleView& p = gather.p;
+    Motion motion = p.motion[n];
+    LostWork lost = p.losses[n];
+    const Load load = gather.sum(n, motion.mass, first_of_hold, lost);
     p.load[n] = load;
     if (!kick) return;
-    Motion motion = p.motion[n];
     AngularMotion angular = p.angular_motion[n];
-    motion.v += (0.5 * dt / motion.mass) * force;
-    angular.w += (0.5 * dt / angular.inertia) * torque;
+    half_kick(dt, load, motion, angular);
     p.motion[n] = motion;
     p.angular_motion[n] = angular;
     p.losses[n] = lost;

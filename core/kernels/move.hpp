@@ -7,9 +7,14 @@
 
 namespace gyro {
 
+/// Half of a step's change of velocities: v += dt/2 F/m, w += dt/2 M/I.
+GYRO_HD inline void half_kick(double dt, const Load& load, Motion& motion, AngularMotion& angular) {
+  motion.v += (0.5 * dt / motion.mass) * load.force;
+  angular.w += (0.5 * dt / angular.inertia) * load.torque;
+}
+
 /// First half of a velocity Verlet step: half a kick with the loads of the last step, then a drift.
-/// Until Gather has given the second half, the velocities are those of mid-step: forces that depend
-/// on them see v(n+1/2).
+/// Until the second half of the kick, the velocities are those of mid-step: forces that depend on them see v(n+1/2).
 struct Move {
   ParticleView p;
   double dt;                ///< [s]
@@ -21,14 +26,11 @@ struct Move {
   StepLimits limits;
   std::int32_t* limit_exceeded;  ///< set to 1 by any particle beyond them
 
-  GYRO_HD void operator()(Index n) const {
+  /// @param load             of the last step
+  /// @param motion, angular  at the end of the last step
+  GYRO_HD void operator()(Index n, const Load& load, Motion motion, AngularMotion angular) const {
     Sphere sphere = p.position[n];
-    Motion motion = p.motion[n];
-    AngularMotion angular = p.angular_motion[n];
-    const Load load = p.load[n];
-
-    motion.v += (0.5 * dt / motion.mass) * load.force;
-    angular.w += (0.5 * dt / angular.inertia) * load.torque;
+    half_kick(dt, load, motion, angular);
     sphere.x += dt * motion.v;
     if (with_orientation) p.orientation[n] = rotated(p.orientation[n], angular.w, dt);
 

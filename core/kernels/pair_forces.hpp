@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laws/contact/contact.hpp"
+#include "core/kernels/pair_lane.hpp"
 #include "core/state/bonds.hpp"
-#include "core/state/contacts.hpp"
-#include "core/state/particles.hpp"
+
+#include <type_traits>
 
 namespace gyro {
 
-/// Contact of two particles: force into the pair's own slot.
+/// Contact of two particles: force into the pair's own slot. A kernel for Exec::for_each_picked: neighbours are looked
+/// at one by one, and those that touch are evaluated several at a time.
 /// @tparam Law   a ContactLaw
 /// @tparam held  forces are held over several sub-steps
 template <class Real, class Law, bool held>
 struct PairForces {
+  using Lane = OnePair;  ///< of a GPU thread
+  /// Of a CPU core. A law that keeps ExtraHistory is evaluated one by one.
+  using Pack = std::conditional_t<Law::keeps_extra_history, OnePair, PackOfPairs<native_lanes>>;
+
   ConstParticleView p;
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
@@ -20,56 +25,72 @@ struct PairForces {
   double half_hold_offset;  ///< as in contact_position() [s]
   OverlapCheck deep;
 
-  GYRO_HD void operator()(Index n) const {
+  /// Whether the pair touches. If it does not, its history is forgotten.
+  GYRO_HD bool pick(Index n) const {
     const Pair pair = pairs.pair[n];
     const Sphere a = contact_position<held>(p, pair.i, half_hold_offset),
                  b = contact_position<held>(p, pair.j, half_hold_offset);
-    const Vec3d span = b.x - a.x;
-    const double sum = a.radius + b.radius, distance2 = norm2(span);
+    const double sum = a.radius + b.radius, distance2 = norm2(b.x - a.x);
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_broken;
-    const double distance = distance2 < sum * sum ? ::sqrt(distance2) : sum;
-    if (!(distance < sum) || bonded) {  // NaN pairs are treated as not touching; the guard reports them
-      if (pairs.touching[n]) {
-        pairs.touching[n] = 0;
-        pairs.history[n] = {};
-        if constexpr (Law::keeps_extra_history) pairs.extra[n] = {};
-      }
-      return;
+    const bool touches = distance2 < sum * sum && ::sqrt(distance2) < sum;  // not a NaN; the guard reports it
+    if (touches && !bonded) {
+      pairs.touching[n] = 1;
+      return true;
     }
-    pairs.touching[n] = 1;
-    evaluate(n, pair, a, b, span, distance);
+    if (pairs.touching[n]) {
+      pairs.touching[n] = 0;
+      pairs.history[n] = {};
+      if constexpr (Law::keeps_extra_history) pairs.extra[n] = {};
+    }
+    return false;
+  }
+
+  template <class Lanes>
+  GYRO_FLATTEN GYRO_HD void operator()(const Lanes& lanes) const {
+    using D = typename Lanes::template Number<double>;
+    using R = typename Lanes::template Number<Real>;
+    const auto i = lanes.first(pairs.pair), j = lanes.second(pairs.pair);
+    const ParticleRow<D> va = lanes.row(p.motion, i), vb = lanes.row(p.motion, j);
+    ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
+    if constexpr (held) {  // as contact_position()
+      a.vector = a.vector + D(half_hold_offset) * va.vector;
+      b.vector = b.vector + D(half_hold_offset) * vb.vector;
+    }
+    const ParticleRow<D> wa = lanes.row(p.angular_motion, i), wb = lanes.row(p.angular_motion, j);
+
+    const Vec3<D> span = b.vector - a.vector;
+    const D distance = norm(span), overlap = a.number + b.number - distance;
+    if (lanes.any(overlap > D(deep.limit) * smaller(a.number, b.number))) raise_flag(deep.limit_exceeded);
+    const D arm_a = a.number - D(0.5) * overlap, arm_b = b.number - D(0.5) * overlap;
+    const Vec3<D> normal = (D(1) / distance) * span;
+
+    ContactMotion<R> c;
+    c.normal = lanes.template cast<Real>(normal);
+    c.overlap = lanes.template cast<Real>(overlap);
+    c.velocity =
+        lanes.template cast<Real>(va.vector - vb.vector + cross(arm_a * wa.vector + arm_b * wb.vector, normal));
+    c.angular_velocity = lanes.template cast<Real>(wa.vector - wb.vector);
+    c.radius = lanes.template cast<Real>(a.number * b.number / (a.number + b.number));
+    c.mass = lanes.template cast<Real>(va.number * vb.number / (va.number + vb.number));
+    const D inertias = wa.number + wb.number;
+    c.inertia = lanes.template cast<Real>(wa.number * wb.number / inertias);
+    c.lever = lanes.template cast<Real>((arm_a * wb.number - arm_b * wa.number) / inertias);
+    store(lanes, c, lanes.template cast<Real>(arm_a), lanes.template cast<Real>(arm_b));
   }
 
  private:
-  GYRO_HD void evaluate(Index n, const Pair& pair, const Sphere& a, const Sphere& b, const Vec3d& span,
-                        double distance) const {
-    const Motion va = p.motion[pair.i], vb = p.motion[pair.j];
-    const AngularMotion wa = p.angular_motion[pair.i], wb = p.angular_motion[pair.j];
-    const double overlap = a.radius + b.radius - distance;
-    deep.check_overlap(overlap, smaller(a.radius, b.radius));
-    const double arm_a = a.radius - 0.5 * overlap, arm_b = b.radius - 0.5 * overlap;
-    const Vec3d normal = (1 / distance) * span;
+  /// @param arm_a, arm_b  from the centres to the contact point [m]
+  template <class Lanes, class R>
+  GYRO_HD void store(const Lanes& lanes, const ContactMotion<R>& c, const R& arm_a, const R& arm_b) const {
+    ExtraHistory<R> extra{};
+    if constexpr (Law::keeps_extra_history) extra = lanes.load(pairs.extra);
+    const ContactLoad<R> load = Law::load(lanes.spread(constants), c, lanes.load(pairs.history), extra);
+    if constexpr (Law::keeps_extra_history) lanes.store(pairs.extra, extra);
 
-    ContactMotion<Real> c;
-    c.normal = cast<Real>(normal);
-    c.overlap = static_cast<Real>(overlap);
-    c.velocity = cast<Real>(va.v - vb.v + cross(arm_a * wa.w + arm_b * wb.w, normal));
-    c.angular_velocity = cast<Real>(wa.w - wb.w);
-    c.radius = static_cast<Real>(a.radius * b.radius / (a.radius + b.radius));
-    c.mass = static_cast<Real>(va.mass * vb.mass / (va.mass + vb.mass));
-    const double inertias = wa.inertia + wb.inertia;
-    c.inertia = static_cast<Real>(wa.inertia * wb.inertia / inertias);
-    c.lever = static_cast<Real>((arm_a * wb.inertia - arm_b * wa.inertia) / inertias);
-
-    ExtraHistory<Real> extra{};
-    if constexpr (Law::keeps_extra_history) extra = pairs.extra[n];
-    const ContactLoad<Real> load = Law::load(constants, c, pairs.history[n], extra);
-    if constexpr (Law::keeps_extra_history) pairs.extra[n] = extra;
-
-    const Vec3<Real> lever = cross(c.normal, load.force);
-    pairs.history[n] = load.history;
-    pairs.result[n] = {load.force, static_cast<Real>(arm_a) * lever + load.couple,
-                       static_cast<Real>(arm_b) * lever - load.couple, load.damped, load.slipped};
+    const Vec3<R> lever = cross(c.normal, load.force);
+    lanes.store(pairs.history, load.history);
+    lanes.store(pairs.result, PairResult<R>{load.force, arm_a * lever + load.couple, arm_b * lever - load.couple,
+                                            load.damped, load.slipped});
   }
 };
 

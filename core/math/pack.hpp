@@ -60,6 +60,15 @@ struct Pack {
   friend Mask operator>=(Pack a, Pack b) { return {a.v >= b.v}; }
 };
 
+/// Whether any lane of a comparison is true.
+template <class Vector>
+bool any_bit(const Vector& v) {
+  std::uint64_t words[sizeof(Vector) / 8], all = 0;
+  std::memcpy(words, &v, sizeof v);
+  for (const std::uint64_t w : words) all |= w;
+  return all != 0;
+}
+
 template <class T, int N>
 Pack<T, N> select(PackMask<T, N> m, Pack<T, N> a, Pack<T, N> b) {
   return Pack<T, N>{m.v ? a.v : b.v};

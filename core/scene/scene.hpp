@@ -5,7 +5,7 @@
 #include "core/math/quat.hpp"
 #include "core/scene/bond_model.hpp"
 #include "core/scene/bond_parameters.hpp"
-#include "core/scene/contact_model.hpp"
+#include "core/scene/material.hpp"
 #include "core/scene/triangle_mesh.hpp"
 
 #include <optional>
@@ -14,22 +14,6 @@
 #include <vector>
 
 namespace gyro {
-
-/// Elastic solid. E = 2 G (1 + nu).
-struct Material {
-  std::string name;
-  double density = 0;        ///< [kg/m3]
-  double shear_modulus = 0;  ///< G [Pa]
-  double poisson_ratio = 0;  ///< nu [-]
-};
-
-/// Surface properties of a pair of materials.
-struct PairProperties {
-  double friction = 0;          ///< Coulomb coefficient [-]
-  double restitution = 1;       ///< of a normal impact, in (0, 1] [-]
-  double rolling_friction = 0;  ///< rolling torque <= coefficient x R* x normal force [-]
-  ContactModel model{};         ///< law of the normal force and of rolling resistance
-};
 
 /// Infinite plane; rock is on the side of the normal.
 struct PlaneShape {

@@ -58,7 +58,7 @@ inline constexpr Index bond_alignment = 8;
 /// What is known of a block as a whole.
 enum BlockState : std::int32_t {
   block_intact = 0,  ///< no bond has failed: bonded pairs are not listed as contacts to come
-  block_broken = 1
+  block_broken = 1   ///< raise_flag() sets it
 };
 
 /// The particles and bonds of one rock, contiguous in their arrays. Bonds never cross blocks, so a

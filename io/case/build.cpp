@@ -45,14 +45,24 @@ ContactModel model_of(const Setting& pair) {
           RollingModel{place_in(rolling_model_words, pair.text("rolling"))}};
 }
 
+/// Fills the numbers of a law from the keys of the same names that the section has, and the words of a contact law.
+struct ReadLaw {
+  const Setting& section;
+
+  void operator()(const char* name, double& value) const {
+    if (const auto number = number_if(section, name)) value = *number;
+  }
+  void operator()(const char*, ContactModel& model) const { model = model_of(section); }
+};
+
 std::vector<CaseContact> contacts_of(const Setting& section, const std::vector<Material>& materials) {
   std::vector<CaseContact> contacts;
   for (const Setting& pair : section.children) {
     const std::size_t slash = pair.name.find('/');
-    contacts.push_back(
-        {index_of(materials, pair.name.substr(0, slash)),
-         index_of(materials, pair.name.substr(slash + 1)),
-         {pair.number("friction"), pair.number("restitution"), pair.number("rolling_friction"), model_of(pair)}});
+    PairProperties properties;
+    PairProperties::for_each_field(ReadLaw{pair}, properties);
+    contacts.push_back({index_of(materials, pair.name.substr(0, slash)),
+                        index_of(materials, pair.name.substr(slash + 1)), properties});
   }
   return contacts;
 }
@@ -65,20 +75,11 @@ StrengthScatter scatter_of(const Setting& section) {
   return TruncatedNormal{section.number("mean"), section.number("deviation"), range[0], range[1]};
 }
 
-/// Fills a number of the bond law from the key with the same name, if the section has this key.
-struct ReadBondNumber {
-  const Setting& section;
-
-  void operator()(const char* name, double& value) const {
-    if (const auto number = number_if(section, name)) value = *number;
-  }
-};
-
 /// With a modulus, k_n = modulus/L0 and k_s = k_n/stiffness_ratio, so that the stiffness of a rock does not depend on
 /// the size of its particles.
 BondParameters bond_parameters_of(const Setting& section) {
   BondParameters parameters;
-  BondParameters::for_each_field(ReadBondNumber{section}, parameters);
+  BondParameters::for_each_field(ReadLaw{section}, parameters);
   if (const auto modulus = number_if(section, "modulus")) {
     parameters.normal_modulus = *modulus;
     parameters.shear_modulus = *modulus / section.number("stiffness_ratio");

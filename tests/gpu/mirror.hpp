@@ -10,6 +10,7 @@
 #include <cstring>
 #include <new>
 #include <numeric>
+#include <span>
 
 // A device made of host memory: what the CUDA executor demands of the solver, on any machine.
 
@@ -100,16 +101,30 @@ class Mirror {
     for (Index i = n - 1; i >= 0; --i) kernel(i);
   }
   template <class Kernel>
+  void for_each_picked(const char*, Index n, const Kernel& kernel) {
+    const Opened opened;
+    for (Index i = n - 1; i >= 0; --i)
+      if (kernel.pick(i)) kernel(typename Kernel::Lane{i});
+  }
+  template <class Kernel>
   void for_each_block(const char*, const BlockLaunch& launch, const Kernel& kernel) {
     const Opened opened;
     for (Index k = launch.blocks - 1; k >= 0; --k) {
       const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
-      for (Index row = rows.begin; row < rows.end; ++row) kernel.clear(row);
-      for (Index c = colours.begin; c < colours.end; ++c) {
-        const IndexRange items = kernel.items_of_colour(c);
-        for (Index item = items.end - 1; item >= items.begin; --item) kernel(typename Kernel::Lane{item}, k);
+      for (int pass = 0; pass < launch.passes; ++pass) {
+        for (Index row = rows.end - 1; row >= rows.begin; --row) kernel.prepare(row, pass);
+        for (Index c = colours.begin; c < colours.end; ++c) {
+          const IndexRange items = kernel.items_of_colour(c);
+          for (Index item = items.end - 1; item >= items.begin; --item) kernel(typename Kernel::Lane{item}, k, pass);
+        }
       }
     }
+  }
+  template <class Kernel>
+  void for_each_colour(const char*, std::span<const Index> colour_begin, const Kernel& kernel) {
+    const Opened opened;
+    for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c)
+      for (Index item = colour_begin[c + 1] - 1; item >= colour_begin[c]; --item) kernel(typename Kernel::Lane{item});
   }
   template <class T, class Map>
   T reduce(const char*, Index n, const Map& map) {

@@ -3,7 +3,7 @@
 
 // Host only.
 #include "core/laws/bond/bond.hpp"
-#include "core/laws/contact/constants.hpp"
+#include "core/laws/contact/scene_contacts.hpp"
 
 namespace gyro {
 

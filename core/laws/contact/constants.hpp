@@ -1,60 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Host only.
-#include "core/base/errors.hpp"
-#include "core/laws/contact/contact.hpp"
 #include "core/laws/contact/restitution.hpp"
-#include "core/scene/scene.hpp"
+#include "core/scene/material.hpp"
 
 namespace gyro {
 
-inline const PairProperties& pair_of(const Scene& scene, Index a, Index b) {
-  return scene.pairs[static_cast<std::size_t>(a) * scene.materials.size() + static_cast<std::size_t>(b)];
+/// Constants of one pair of materials, combined once. All contact laws read this one set.
+template <class T>
+struct ContactConstants {
+  T youngs;     ///< E* [Pa], 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
+  T shear;      ///< G* [Pa], 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2
+  T damping;    ///< zeta >= 0 of the dashpots [-], from the restitution: damping_for_restitution()
+  T friction;   ///< Coulomb coefficient mu [-]
+  T rolling;    ///< rolling friction mu_r [-]
+  T dt;         ///< time for which the forces act: the step, or the hold of several sub-steps [s]
+  T unloading;  ///< 1/e^2 >= 1: unloading over loading stiffness of a hysteretic spring [-]
+};
+
+/// The same constants in another number type, or one copy for each lane of a pack. For the host.
+template <class To, class From>
+ContactConstants<To> cast(const ContactConstants<From>& law) {
+  return {To(law.youngs),  To(law.shear), To(law.damping),  To(law.friction),
+          To(law.rolling), To(law.dt),    To(law.unloading)};
 }
 
-/// Constants of the contact of two materials of a scene. E = 2 G (1 + nu).
+/// Constants of the contact of materials m and n, E = 2 G (1 + nu). Host only.
+/// @param hold_time  time for which the forces act [s]
 template <class Real>
-ContactConstants<Real> contact_constants(const Scene& scene, Index a, Index b) {
-  const Material &m = scene.materials[static_cast<std::size_t>(a)], &n = scene.materials[static_cast<std::size_t>(b)];
-  const PairProperties& pair = pair_of(scene, a, b);
+ContactConstants<Real> contact_constants(const Material& m, const Material& n, const PairProperties& pair,
+                                         double hold_time) {
   const auto plane_compliance = [](const Material& x) {
     return (1 - x.poisson_ratio * x.poisson_ratio) / (2 * x.shear_modulus * (1 + x.poisson_ratio));
   };
   const auto shear_compliance = [](const Material& x) { return (2 - x.poisson_ratio) / x.shear_modulus; };
-  ContactConstants<Real> law;
-  law.youngs = static_cast<Real>(1 / (plane_compliance(m) + plane_compliance(n)));
-  law.shear = static_cast<Real>(1 / (shear_compliance(m) + shear_compliance(n)));
-  law.damping = static_cast<Real>(damping_for_restitution(pair.restitution));
-  law.friction = static_cast<Real>(pair.friction);
-  law.rolling = static_cast<Real>(pair.rolling_friction);
-  law.dt = static_cast<Real>(scene.substeps * scene.dt);
-  law.unloading = static_cast<Real>(1 / (pair.restitution * pair.restitution));
-  return law;
-}
-
-/// The contact law of rock on rock. Without rolling friction no rolling law is compiled in.
-inline ContactModel rock_model(const Scene& scene) {
-  const PairProperties& pair = pair_of(scene, scene.rock_material, scene.rock_material);
-  return {pair.model.normal, pair.rolling_friction > 0 ? pair.model.rolling : RollingModel::off};
-}
-
-/// The contact law of rock on the walls, which is the same for all of them: one kernel serves all walls.
-/// @throws BadInput when two walls have different laws
-inline ContactModel wall_model(const Scene& scene) {
-  ContactModel all{NormalModel::hertz, RollingModel::off};
-  const Wall* first = nullptr;
-  for (const Wall& wall : scene.walls) {
-    const PairProperties& pair = pair_of(scene, scene.rock_material, wall.material);
-    if (first == nullptr) all.normal = pair.model.normal;
-    const bool rolls = pair.rolling_friction > 0, rolled = all.rolling != RollingModel::off;
-    if (pair.model.normal != all.normal || (rolls && rolled && pair.model.rolling != all.rolling))
-      throw BadInput("walls " + first->name + " and " + wall.name + " have different contact laws with rock; " +
-                     "give all rock/wall pairs the same normal and rolling law");
-    if (rolls) all.rolling = pair.model.rolling;
-    if (first == nullptr) first = &wall;
-  }
-  return all;
+  return {.youngs = static_cast<Real>(1 / (plane_compliance(m) + plane_compliance(n))),
+          .shear = static_cast<Real>(1 / (shear_compliance(m) + shear_compliance(n))),
+          .damping = static_cast<Real>(damping_for_restitution(pair.restitution)),
+          .friction = static_cast<Real>(pair.friction),
+          .rolling = static_cast<Real>(pair.rolling_friction),
+          .dt = static_cast<Real>(hold_time),
+          .unloading = static_cast<Real>(1 / (pair.restitution * pair.restitution))};
 }
 
 }  // namespace gyro

@@ -2,24 +2,13 @@
 #pragma once
 
 #include "core/base/fields.hpp"
+#include "core/laws/contact/constants.hpp"
 #include "core/math/select.hpp"
 #include "core/math/vec3.hpp"
 
 // What every contact law reads and returns. All laws work on single numbers and on packs.
 
 namespace gyro {
-
-/// Constants of one pair of materials, combined once. All laws read this one set.
-template <class T>
-struct ContactConstants {
-  T youngs;     ///< E* [Pa], 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
-  T shear;      ///< G* [Pa], 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2
-  T damping;    ///< zeta >= 0 of the dashpots [-], from the restitution: damping_for_restitution()
-  T friction;   ///< Coulomb coefficient mu [-]
-  T rolling;    ///< rolling friction mu_r [-]
-  T dt;         ///< time for which the forces act: the step, or the hold of several sub-steps [s]
-  T unloading;  ///< 1/e^2 >= 1: unloading over loading stiffness of a hysteretic spring [-]
-};
 
 /// Kinematics of one contact, seen from body i. World frame.
 template <class T>

@@ -4,6 +4,7 @@
 #include "app/verify/fixtures/scenes.hpp"
 #include "app/verify/fixtures/snapshots.hpp"
 #include "app/verify/fixtures/stage.hpp"
+#include "core/state/pieces.hpp"
 #include "tests/catch.hpp"
 
 using namespace gyro;
@@ -123,6 +124,24 @@ TEST_CASE("The failure criterion of Mohr and Coulomb: no bit changes with thread
     INFO(threads << " threads");
     check_same(one, outcome(scene, precision, threads, busy_rocks(3), 150));
   }
+}
+
+TEST_CASE("A rock so large that all threads share its bonds: their number changes no bit", "[dem][bits][bond]") {
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
+  Scene scene = plain_scene(dt);
+  scene.pairs.assign(4, {0.5, 0.25, 0.02});
+  scene.bonds = paper_bonds();
+  scene.bonds->damping = 0.05;
+  scene.bonds->tensile_strength = scene.bonds->shear_strength = 3e6;
+  scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
+  scene.substeps = GENERATE(1, 3);
+  NewRock block = placed(lattice(0, 15), 0, 0, {0, 0, 7.51 * grain}, rotation_about({1, 0, 0}, 0.02));
+  REQUIRE(static_cast<Index>(block.bonds.size()) >= large_rock);
+  add_rigid_motion(block, {0, 0, -12}, {0, 0, 0});
+  const std::vector<NewRock> rocks{block, placed(lattice(1, 3), 1, 10000, {0, 0, 17 * grain})};
+  const Outcome one = outcome(scene, precision, 1, rocks, 60, 30);
+  REQUIRE(one.breakages.size() > 20);
+  for (const int threads : {2, 7}) check_same(one, outcome(scene, precision, threads, rocks, 60, 30));
 }
 
 TEST_CASE("The skin of the neighbour lists changes no bit", "[dem][bits]") {

@@ -4,6 +4,8 @@
 
 #include "core/exec/cpu.hpp"
 
+#include <atomic>
+
 using namespace gyro;
 
 namespace {
@@ -24,12 +26,12 @@ struct MixItems {
 
   IndexRange rows(Index block) const { return (*block_rows)[static_cast<std::size_t>(block)]; }
   IndexRange items(Index block) const { return (*block_items)[static_cast<std::size_t>(block)]; }
-  void clear(Index row) const { row_values[row] = 1; }
-  void operator()(const FourItems& pack, Index block) const {
+  void prepare(Index row, int pass) const { row_values[row] = pass == 0 ? 1 : row_values[row] ^ 5; }
+  void operator()(const FourItems& pack, Index block, int pass) const {
     const IndexRange own = rows(block);
     for (Index item = pack.first; item < pack.first + FourItems::count; ++item) {
       std::uint64_t& value = row_values[own.begin + item % (own.end - own.begin)];
-      value = value * 6364136223846793005u + static_cast<std::uint64_t>(item);  // depends on the order
+      value = value * 6364136223846793005u + static_cast<std::uint64_t>(item + pass);  // depends on the order
       block_of_item[item] = block;
     }
   }
@@ -57,10 +59,10 @@ struct Mixed {
   std::vector<std::int32_t> block_of_item;
 };
 
-Mixed mixed(const Blocks& blocks, int threads) {
+Mixed mixed(const Blocks& blocks, int threads, int passes = 1) {
   Mixed out{std::vector<std::uint64_t>(blocks.row_count(), 77), std::vector<std::int32_t>(blocks.item_count(), none)};
   Cpu cpu(threads);
-  cpu.for_each_block("mix", {static_cast<Index>(blocks.rows.size()), 1},
+  cpu.for_each_block("mix", {static_cast<Index>(blocks.rows.size()), 1, passes},
                      MixItems{&blocks.rows, &blocks.items, out.rows.data(), out.block_of_item.data()});
   return out;
 }
@@ -69,19 +71,80 @@ Mixed mixed(const Blocks& blocks, int threads) {
 
 TEST_CASE("Every block is processed once, its items in order, for any number of threads", "[exec]") {
   const Index count = GENERATE(0, 1, 2, 7, 300);
+  const int passes = GENERATE(1, 3);
   const Blocks blocks(count);
-  const Mixed one = mixed(blocks, 1);
+  const Mixed one = mixed(blocks, 1, passes);
   for (std::size_t k = 0; k < blocks.items.size(); ++k)
     for (Index item = blocks.items[k].begin; item < blocks.items[k].end; ++item)
       REQUIRE(one.block_of_item[static_cast<std::size_t>(item)] == static_cast<Index>(k));
   for (const int threads : {2, 3, 8, 20}) {
-    const Mixed other = mixed(blocks, threads);
+    const Mixed other = mixed(blocks, threads, passes);
     CHECK(other.rows == one.rows);
     CHECK(other.block_of_item == one.block_of_item);
   }
 }
 
-TEST_CASE("Rows of all blocks are cleared, also of blocks without items, and other rows are unchanged", "[exec]") {
+TEST_CASE("A second pass begins with what the first one has left", "[exec]") {
+  const Blocks blocks(3);
+  const Mixed once = mixed(blocks, 1, 1), twice = mixed(blocks, 1, 2);
+  for (std::size_t k = 0; k < blocks.rows.size(); ++k) {
+    std::vector<std::uint64_t> values;
+    const Index first = blocks.rows[k].begin, count = blocks.rows[k].end - first;
+    for (Index row = 0; row < count; ++row) values.push_back(once.rows[static_cast<std::size_t>(first + row)] ^ 5);
+    for (Index item = blocks.items[k].begin; item < blocks.items[k].end; ++item) {
+      std::uint64_t& value = values[static_cast<std::size_t>(item % count)];
+      value = value * 6364136223846793005u + static_cast<std::uint64_t>(item + 1);
+    }
+    for (Index row = 0; row < count; ++row)
+      CHECK(twice.rows[static_cast<std::size_t>(first + row)] == values[static_cast<std::size_t>(row)]);
+  }
+}
+
+namespace {
+
+/// Notes in which colour each item was worked on, and how often.
+struct NoteColour {
+  struct Pack {
+    static constexpr int count = 4;
+    Index first;
+  };
+  struct Lane {
+    static constexpr int count = 1;
+    Index first;
+  };
+  std::atomic<int>* visits;
+  std::atomic<int>* done;  ///< items so far
+  int* done_before;        ///< for each item: an upper bound of the items that were done before it
+
+  template <class Lanes>
+  void operator()(const Lanes& lanes) const {
+    for (Index item = lanes.first; item < lanes.first + Lanes::count; ++item) {
+      ++visits[item];
+      done_before[item] = (*done)++;
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Colours of a large block are worked on one after the other, each by all threads", "[exec]") {
+  const std::vector<Index> colours{3, 4, 4, 21, 120, 1000, 1003};
+  for (const int threads : {1, 2, 7}) {
+    std::vector<std::atomic<int>> visits(1003);
+    std::vector<int> done_before(1003);
+    std::atomic<int> done{0};
+    Cpu cpu(threads);
+    cpu.for_each_colour("colours", colours, NoteColour{visits.data(), &done, done_before.data()});
+    for (std::size_t item = 0; item < visits.size(); ++item) CHECK(visits[item] == (item >= 3 ? 1 : 0));
+    for (std::size_t c = 0; c + 1 < colours.size(); ++c)
+      for (Index item = colours[c]; item < colours[c + 1]; ++item) {
+        CHECK(done_before[static_cast<std::size_t>(item)] >= colours[c] - 3);
+        CHECK(done_before[static_cast<std::size_t>(item)] < colours[c + 1] - 3);
+      }
+  }
+}
+
+TEST_CASE("Rows of all blocks are prepared, also of blocks without items, and other rows are unchanged", "[exec]") {
   const Blocks blocks(9);
   const Mixed out = mixed(blocks, 2);
   std::vector<bool> owned(blocks.row_count(), false);

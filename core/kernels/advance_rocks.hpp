@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/index_range.hpp"
+#include "core/kernels/bond_forces.hpp"
+#include "core/kernels/gather.hpp"
+#include "core/kernels/move.hpp"
+#include "core/state/pieces.hpp"
+
+namespace gyro {
+
+/// What happens to a particle before the bonds are evaluated.
+enum class Motions {
+  loads_only,  ///< before the first step of a scene
+  move,        ///< the first step of a window: the last step is complete
+  move_on,     ///< the last step has new contact forces, which it takes over
+  move_held,   ///< the last step has the contact forces that are held
+};
+
+/// From the forces of one step to the bond forces of the next, rock by rock: the second half of a step, the first half
+/// of the next, and the bonds at the new positions. A rock of some hundred particles stays in a core's cache meanwhile.
+/// Forces between rocks and of walls are evaluated elsewhere; while they are held, a rock takes all its steps in one
+/// go (passes).
+///
+/// A kernel for Exec::for_each_block: a block is a piece, its rows are particles, its items are bonds. Law is a bond
+/// law of core/laws/bond/models.hpp.
+template <class Real, class Law>
+struct AdvanceRocks {
+  using Lane = OneLane;                  ///< of a GPU thread
+  using Pack = PackLanes<native_lanes>;  ///< of a CPU core
+  static constexpr int blocks_at_once = sizeof(Real) == 8 ? 2 : 4;
+
+  const Piece* pieces;
+  const Block* blocks;
+  const Index* colour_begin;  ///< first bond of each colour; a block has one entry more than colours
+  Gather<Real> gather;
+  Move move;
+  BondForces<Real, Law> bonds;
+  Motions first;      ///< in pass 0; later ones are move_held
+  std::int64_t step;  ///< of pass 0
+
+  GYRO_HD IndexRange rows(Index k) const { return {pieces[k].first_particle, pieces[k].end_particle}; }
+  /// A whole number of packs.
+  GYRO_HD IndexRange items(Index k) const {
+    return pieces[k].block == none ? IndexRange{0, 0}
+                                   : IndexRange{blocks[pieces[k].block].first_bond, blocks[pieces[k].block].end_bond};
+  }
+  GYRO_HD IndexRange colours(Index k) const {
+    return pieces[k].block == none
+               ? IndexRange{0, 0}
+               : IndexRange{blocks[pieces[k].block].first_colour, blocks[pieces[k].block].end_colour - 1};
+  }
+  /// Bonds that share no particle.
+  GYRO_HD IndexRange items_of_colour(Index colour) const { return {colour_begin[colour], colour_begin[colour + 1]}; }
+
+  GYRO_HD void prepare(Index particle, int pass) const {
+    const Motions motions = pass == 0 ? first : Motions::move_held;
+    if (motions != Motions::loads_only) advance(particle, motions);
+    if (gather.with_bonds) gather.p.bond_load[particle] = Load{};
+  }
+
+  template <class Lanes>
+  GYRO_HD void operator()(const Lanes& lanes, Index k, int pass) const {
+    bonds(lanes, pieces[k].block, step + pass);
+  }
+
+ private:
+  GYRO_HD void advance(Index n, Motions motions) const {
+    const ParticleView& p = gather.p;
+    Motion motion = p.motion[n];
+    AngularMotion angular = p.angular_motion[n];
+    if (motions == Motions::move) return move(n, p.load[n], motion, angular);
+    LostWork lost = p.losses[n];
+    const Load load = gather.sum(n, motion.mass, motions == Motions::move_on, lost);
+    p.losses[n] = lost;
+    half_kick(move.dt, load, motion, angular);
+    move(n, load, motion, angular);
+  }
+};
+
+/// The bonds of one large rock, for Exec::for_each_colour.
+template <class Real, class Law>
+struct LargeRockBonds {
+  using Lane = OneLane;
+  using Pack = PackLanes<native_lanes>;
+
+  BondForces<Real, Law> bonds;
+  Index block;
+  std::int64_t step;
+
+  template <class Lanes>
+  GYRO_HD void operator()(const Lanes& lanes) const {
+    bonds(lanes, block, step);
+  }
+};
+
+}  // namespace gyro

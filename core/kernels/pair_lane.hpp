@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/kernels/particle_row.hpp"
+#include "core/laws/contact/contact.hpp"
+#include "core/math/select.hpp"
+#include "core/state/contacts.hpp"
+
+// Lanes: how the kernel of pairs reads and writes memory. OnePair is one pair, for a GPU thread and for tests;
+// PackOfPairs (pair_pack.hpp) is N pairs, for a CPU core. Both do the same arithmetic in the same order for every pair,
+// so their results agree to the bit.
+
+namespace gyro {
+
+/// One pair.
+struct OnePair {
+  template <class T>
+  using Number = T;
+  static constexpr int count = 1;
+  Index n;
+
+  GYRO_HD Index first(const Pair* pairs) const { return pairs[n].i; }
+  GYRO_HD Index second(const Pair* pairs) const { return pairs[n].j; }
+
+  template <class Row>
+  GYRO_HD ParticleRow<double> row(const Row* rows, Index particle) const {
+    return row_of(rows[particle]);
+  }
+  template <class Struct>
+  GYRO_HD auto load(const Struct* column) const {
+    return column[n];
+  }
+  template <class Struct>
+  GYRO_HD void store(Struct* column, const Struct& value) const {
+    column[n] = value;
+  }
+
+  template <class To, class From>
+  GYRO_HD To cast(const From& x) const {
+    return static_cast<To>(x);
+  }
+  template <class To, class From>
+  GYRO_HD Vec3<To> cast(const Vec3<From>& x) const {
+    return gyro::cast<To>(x);
+  }
+  template <class Real>
+  GYRO_HD const ContactConstants<Real>& spread(const ContactConstants<Real>& law) const {
+    return law;
+  }
+  GYRO_HD bool any(bool m) const { return m; }
+};
+
+template <int N>
+struct PackOfPairs;
+
+}  // namespace gyro

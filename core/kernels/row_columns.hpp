@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Host only.
+#include "core/kernels/particle_row.hpp"
+#include "core/math/pack.hpp"
+
+namespace gyro {
+
+/// Four numbers side by side.
+template <class T>
+using Four = typename VectorOf<T, 4>::type;
+
+/// A row of four doubles, loaded at once.
+template <class Row>
+Four<double> whole_row(const Row* rows, Index row) {
+  static_assert(sizeof(Row) == sizeof(Four<double>));
+  Four<double> v;
+  std::memcpy(&v, rows + row, sizeof v);
+  return v;
+}
+
+/// The columns of N rows of four doubles, as packs of T. Rows are loaded whole and transposed in registers: half the
+/// instructions of a gather number by number.
+/// @param row  row(k) is row k, a Four<double>
+template <class T, int N, class RowOf>
+ParticleRow<Pack<T, N>> row_columns(const RowOf& row) {
+  const auto r = [&](int k) { return __builtin_convertvector(row(k), Four<T>); };
+  const auto join = [&](int a, int b) { return __builtin_shufflevector(r(a), r(b), 0, 1, 2, 3, 4, 5, 6, 7); };
+  using P = Pack<T, N>;
+  if constexpr (N == 4) {
+    // x0 x1 z0 z1, y0 y1 w0 w1, ...
+    const auto xz01 = __builtin_shufflevector(r(0), r(1), 0, 4, 2, 6),
+               yw01 = __builtin_shufflevector(r(0), r(1), 1, 5, 3, 7);
+    const auto xz23 = __builtin_shufflevector(r(2), r(3), 0, 4, 2, 6),
+               yw23 = __builtin_shufflevector(r(2), r(3), 1, 5, 3, 7);
+    return {{P{__builtin_shufflevector(xz01, xz23, 0, 1, 4, 5)}, P{__builtin_shufflevector(yw01, yw23, 0, 1, 4, 5)},
+             P{__builtin_shufflevector(xz01, xz23, 2, 3, 6, 7)}},
+            P{__builtin_shufflevector(yw01, yw23, 2, 3, 6, 7)}};
+  } else if constexpr (sizeof(T) == 8) {
+    static_assert(N == 8);
+    const auto r02 = join(0, 2), r13 = join(1, 3), r46 = join(4, 6), r57 = join(5, 7);
+    // x0 x1 z0 z1 x2 x3 z2 z3, ...
+    const auto xz03 = __builtin_shufflevector(r02, r13, 0, 8, 2, 10, 4, 12, 6, 14);
+    const auto yw03 = __builtin_shufflevector(r02, r13, 1, 9, 3, 11, 5, 13, 7, 15);
+    const auto xz47 = __builtin_shufflevector(r46, r57, 0, 8, 2, 10, 4, 12, 6, 14);
+    const auto yw47 = __builtin_shufflevector(r46, r57, 1, 9, 3, 11, 5, 13, 7, 15);
+    return {{P{__builtin_shufflevector(xz03, xz47, 0, 1, 4, 5, 8, 9, 12, 13)},
+             P{__builtin_shufflevector(yw03, yw47, 0, 1, 4, 5, 8, 9, 12, 13)},
+             P{__builtin_shufflevector(xz03, xz47, 2, 3, 6, 7, 10, 11, 14, 15)}},
+            P{__builtin_shufflevector(yw03, yw47, 2, 3, 6, 7, 10, 11, 14, 15)}};
+  } else {
+    static_assert(N == 8);
+    const auto r04 = join(0, 4), r15 = join(1, 5), r26 = join(2, 6), r37 = join(3, 7);
+    // x0 x1 y0 y1 x4 x5 y4 y5, ...
+    const auto xy01 = __builtin_shufflevector(r04, r15, 0, 8, 1, 9, 4, 12, 5, 13);
+    const auto zw01 = __builtin_shufflevector(r04, r15, 2, 10, 3, 11, 6, 14, 7, 15);
+    const auto xy23 = __builtin_shufflevector(r26, r37, 0, 8, 1, 9, 4, 12, 5, 13);
+    const auto zw23 = __builtin_shufflevector(r26, r37, 2, 10, 3, 11, 6, 14, 7, 15);
+    return {{P{__builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13)},
+             P{__builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15)},
+             P{__builtin_shufflevector(zw01, zw23, 0, 1, 8, 9, 4, 5, 12, 13)}},
+            P{__builtin_shufflevector(zw01, zw23, 2, 3, 10, 11, 6, 7, 14, 15)}};
+  }
+}
+
+}  // namespace gyro

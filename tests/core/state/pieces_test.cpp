@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/state/pieces.hpp"
+#include "tests/catch.hpp"
+
+using namespace gyro;
+
+namespace {
+
+Block block(Index first_particle, Index end_particle, Index bonds) {
+  return {first_particle, end_particle, 0, bonds, 0, 0, 0, block_intact};
+}
+
+/// Whether the pieces cover these particles once, in their order.
+bool cover(const std::vector<Piece>& pieces, Index begin, Index end) {
+  for (const Piece& p : pieces) {
+    if (p.first_particle != begin || p.end_particle <= p.first_particle) return false;
+    begin = p.end_particle;
+  }
+  return begin == end;
+}
+
+}  // namespace
+
+TEST_CASE("Pieces: rocks are pieces, loose particles between and behind them are cut into runs", "[state]") {
+  const Pieces pieces = make_pieces({block(10, 40, 64), block(340, 341, 0)}, 500);
+  CHECK(pieces.large.empty());
+  CHECK(pieces.large_rows.empty());
+  CHECK(cover(pieces.together, 0, 500));
+  std::vector<Index> blocks, lengths;
+  for (const Piece& p : pieces.together) {
+    blocks.push_back(p.block);
+    lengths.push_back(p.end_particle - p.first_particle);
+  }
+  CHECK(blocks == std::vector<Index>{none, 0, none, none, none, 1, none, none});
+  CHECK(lengths == std::vector<Index>{10, 30, 128, 128, 44, 1, 128, 31});
+}
+
+TEST_CASE("Pieces: the particles of a large rock are cut into runs, and its bonds stand apart", "[state]") {
+  const Pieces pieces = make_pieces({block(0, 50, 64), block(50, 4050, large_rock), block(4050, 4060, 16)}, 4060);
+  REQUIRE(pieces.large == std::vector<Index>{1});
+  CHECK(cover(pieces.large_rows, 50, 4050));
+  for (const Piece& p : pieces.large_rows) CHECK(p.block == none);
+  REQUIRE(pieces.together.size() == 2);
+  CHECK(pieces.together[0].block == 0);
+  CHECK(pieces.together[1].block == 2);
+}
+
+TEST_CASE("Pieces of an empty scene, and of one without rocks", "[state]") {
+  CHECK(make_pieces({}, 0).together.empty());
+  CHECK(cover(make_pieces({}, 300).together, 0, 300));
+}
