@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gyro {
@@ -52,6 +53,9 @@ class Simulation {
   /// next.
   /// @param max_steps  makes the window shorter than setup.steps_per_window; at least one hold is done
   WindowResult advance(int max_steps = std::numeric_limits<int>::max());
+  /// A window that this condition gives up ends advance() with WindowGivenUp: it never was, the figures stay those of
+  /// its beginning, and the simulation cannot go on but from a saved state. Bits of windows that end are not changed.
+  void give_up_windows_when(GiveUp condition) { dem_->give_up_when(std::move(condition)); }
   /// Why the last window must be the last; empty while all is well.
   const std::optional<std::string>& verdict() const { return verdict_; }
   /// @throws StoppedByGuard with the verdict, if there is one

@@ -17,6 +17,8 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
   monitor_.begin_window();
   if (!primed_) prime();
   for (int k = 1; k <= window.steps; ++k) {
+    if (give_up_ && give_up_(static_cast<double>(k - 1) / window.steps))
+      throw WindowGivenUp("the window from t = " + std::to_string(window.begin()) + " s on was given up");
     walls_.go_to_step(k);
     step(window.first_step + k, {(k - 1) % scene_.substeps == 0, k + scene_.substeps > window.steps});
   }

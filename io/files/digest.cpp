@@ -26,6 +26,8 @@ struct Digest::State {
 
 Digest::Digest() : state_(std::make_unique<State>()) {}
 Digest::~Digest() = default;
+Digest::Digest(Digest&&) noexcept = default;
+Digest& Digest::operator=(Digest&&) noexcept = default;
 
 void Digest::update(std::span<const char> bytes) {
   XXH3_128bits_update(state_->state, bytes.data(), bytes.size());

@@ -23,8 +23,8 @@ struct ResultsContent {
   std::vector<FixedNumbers> fixed;
 };
 
-/// Rows of the groups of results.h5 so far, as {"/series", 120}.
-using ResultsRows = std::map<std::string, std::int64_t>;
+/// How far the groups of results.h5 have come, by group, as "/series".
+using ResultsMarks = std::map<std::string, GroupMark>;
 
 /// results.h5 of a run: /case, groups that grow by rows, and datasets that are written once. Rows are
 /// written about every 5 s of wall clock and when the file closes. Readable while it grows and after
@@ -34,8 +34,8 @@ class ResultsFile {
  public:
   ResultsFile(const std::filesystem::path& path, const ResultsContent& content);
   /// Continues the file of a run from the rows `keep`; later rows are dropped. A kill in between leaves
-  /// the file as it was. @throws BadInput for a file with less or other content
-  ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep);
+  /// the file as it was. @throws BadInput for a file with less or other content, or with other numbers in these rows
+  ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsMarks& keep);
   /// Closes without reporting failures; call close() on the normal way out.
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
@@ -47,7 +47,7 @@ class ResultsFile {
   void flush();
   /// Waits until the disk has every row.
   void sync();
-  ResultsRows rows() const;
+  ResultsMarks marks() const;
   /// Writes what waits and closes; nothing can be appended afterwards.
   void close();
 

@@ -8,7 +8,7 @@
 namespace gyro {
 
 /// Form of checkpoint.h5: raised when a new program can no longer continue from an older file.
-inline constexpr std::uint64_t state_format = 4;
+inline constexpr std::uint64_t state_format = 5;
 
 /// Writes a state as an HDF5 file: every column a dataset; the digest of all bytes stands behind them. The file is
 /// replaced in one piece: at any moment, also after a kill or on a full disk, PATH is the old state or the new one.
