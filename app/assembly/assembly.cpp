@@ -2,6 +2,7 @@
 #include "app/assembly/assembly.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/lid.hpp"
 #include "app/assembly/mesh_checks.hpp"
 #include "app/assembly/rocks.hpp"
 #include "io/rocks/library_cache.hpp"
@@ -145,6 +146,7 @@ Assembly assemble(const Case& input, int threads) {
     Setup& setup = out.setup;
     setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
   }
+  if (input.crusher && input.crusher->lid) check_lid(*input.crusher->lid, out.setup);
   out.expected = expected_counts(out.setup, out.step, input.time.duration);
   for (std::string& note : check_counts(out.expected, out.setup)) out.notes.push_back(std::move(note));
   return out;

@@ -175,6 +175,9 @@ void check_machine(const Setting& root, CaseProblems& log) {
     const Setting* pivot = crusher->find("pivot_height");
     if (arm != nullptr && pivot != nullptr && arm->numbers[0] >= pivot->numbers[0])
       log.add(arm->mark, "eccentricity is not smaller than pivot_height; it must be a fraction of it");
+    if (const Setting* lid = crusher->find("lid"); lid != nullptr && root.find("walls.lid") != nullptr)
+      log.add(lid->mark,
+              "crusher.lid makes a wall called lid, but walls has one; rename that, or leave out one of them");
   }
   const Setting* drive = root.find("drivetrain");
   if (drive == nullptr) return;
