@@ -86,6 +86,7 @@ ResultsContent RunOutput::content(const CaseRecord& record) const {
 }
 
 void RunOutput::begin(Simulation& simulation) {
+  rows_.write(results_, simulation.take_left());
   if (input_.output.snapshots > 0) write_snapshot(simulation);
 }
 
@@ -159,6 +160,8 @@ void RunOutput::save(SavedState& to) const {
 
 void RunOutput::close(Simulation& simulation) {
   if (!rows_.empty()) write_row(simulation);
+  rows_.write(results_, simulation.take_left());
+  rows_.write(results_, simulation.fragments_inside());
   close();
 }
 

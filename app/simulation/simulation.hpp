@@ -28,6 +28,7 @@ struct WindowResult {
   std::vector<WallLoad> walls;             ///< one per wall
   std::vector<Breakage> breakages;         ///< of bonds, by time
   std::vector<WallImpulse> wall_impulses;  ///< empty unless scene.wall_impulses
+  std::vector<FragmentRecord> left;        ///< fragments that its inspection found to have left the chamber
   double holdup_mass = 0;                  ///< at the end of the window, before its inspection [kg]
   double discharged_mass = 0;              ///< likewise, since the start [kg]
   bool inspected = false;                  ///< it ended with an inspection
@@ -92,6 +93,10 @@ class Simulation {
   MassCount mass_count() const;
   std::int64_t fragments() const { return state_.fragments; }          ///< at the last inspection
   double largest_fragment() const { return state_.largest_fragment; }  ///< mass of the heaviest at that time [kg]
+  /// Fragments that inspections outside of advance() found to have left, since the last call.
+  std::vector<FragmentRecord> take_left() { return std::exchange(left_, {}); }
+  /// The fragments that are in the scene now and have not left; none where a position is not finite.
+  std::vector<FragmentRecord> fragments_inside() const;
   std::int64_t bonds_initial() const { return state_.bonds_inserted; }
   /// What must be kept to continue bit for bit, between windows of a sound run.
   SavedState save() const;
@@ -143,6 +148,7 @@ class Simulation {
   ThinWallCheck thin_walls_;
   std::optional<std::string> verdict_;
   State state_;
+  std::vector<FragmentRecord> left_;
   std::int64_t inspected_at_ = -1;  ///< step of the last inspection
 };
 
