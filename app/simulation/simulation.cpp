@@ -149,7 +149,7 @@ void Simulation::insert(std::span<const NewRock> rocks) {
   if (rocks.empty()) return;
   for (const NewRock& rock : rocks) {
     state_.particles_inserted += static_cast<std::int64_t>(rock.particles.size());
-    state_.bonds_inserted += static_cast<std::int64_t>(rock.bonds.size());
+    if (setup_.scene.bonds) state_.bonds_inserted += static_cast<std::int64_t>(rock.bonds.size());
     for (const NewParticle& p : rock.particles)
       state_.mass_inside += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
   }
