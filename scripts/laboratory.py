@@ -77,7 +77,7 @@ def count(text):
 def setting(text):
     key, equals, value = text.partition("=")
     if not (key and equals and value):
-        raise argparse.ArgumentTypeError(f"'{text}' sets nothing; write key.path=value")
+        raise argparse.ArgumentTypeError(f"'{text}' is not an override; write key.path=value")
     return text
 
 

@@ -2,6 +2,7 @@
 #include "app/assembly/assembly.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/lid.hpp"
 #include "app/assembly/mesh_checks.hpp"
 #include "app/assembly/reach.hpp"
 #include "app/assembly/rocks.hpp"
@@ -169,6 +170,7 @@ Assembly assemble(const Case& input, const AssemblyRequest& request) {
     Setup& setup = out.setup;
     setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
   }
+  if (input.crusher && input.crusher->lid) check_lid(*input.crusher->lid, out.setup);
   for (std::string& note : reach_notes(input, out.setup, end)) out.notes.push_back(std::move(note));
   out.expected = expected_counts(out.setup, out.step, end);
   check_steps(out.expected, input, out.step, request.until);

@@ -2,12 +2,10 @@
 #include "app/assembly/expected_counts.hpp"
 
 #include "app/assembly/bad_key.hpp"
-#include "io/files/read_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace gyro {
 namespace {
@@ -16,6 +14,8 @@ constexpr double max_particles_of_run = 2e9;  // ids have 32 bits, indices a sig
 constexpr double many_particles = 1e7;        // [-]; a run of them takes weeks on a CPU
 constexpr double max_steps = 1e15;            // counted exactly by 64 bits and by doubles
 constexpr double share_of_memory = 0.9;       // the rest is for walls, output and the system
+constexpr const char* advice =
+    "; raise the smallest size of the rock (check its unit), feed less, or use fewer particles a rock";
 constexpr double bytes_per_particle = 700, bytes_per_bond = 70;
 
 /// Rock that the feed draws on average: kinds are drawn with probability proportional to 1/mass.
@@ -60,6 +60,7 @@ void add_feed(ExpectedCounts& counts, const FeedPlan& plan, const RockLibrary& l
   counts.bonds += at_start * mean.bonds;
   counts.fed_rocks = plan.rate * std::max(0.0, duration - plan.start) / mean.mass;
   counts.fed_particles = counts.fed_rocks * mean.particles;
+  counts.fed_bonds = counts.fed_rocks * mean.bonds;
 }
 
 std::string counted(const ExpectedCounts& counts) {
@@ -83,6 +84,26 @@ std::string in_words(double number) {
   return text;
 }
 
+/// @param found  what the start has, in words
+std::vector<std::string> check_memory(const ExpectedCounts& counts, const Setup& setup, const std::string& found,
+                                      const FreeMemory& memory) {
+  const double allowed = share_of_memory * memory.bytes;
+  const std::string too_much = "more than 0.9 of " + memory.what + ", " + in_words(memory.bytes / 1e9) + " GB";
+  if (counts.window_bytes > allowed)
+    throw BadKey("coupling.interval", "the positions of the walls in the steps of a coupling interval take " +
+                                          in_words(counts.window_bytes / 1e9) + " GB: " + too_much + "; shorten it");
+  if (expected_bytes(counts.particles, counts.bonds) + counts.window_bytes > allowed)
+    throw BadKey(setup.feed ? "feed" : "particles", found + ": " + too_much + advice);
+  if (!(counts.bytes > allowed)) return {};
+  const std::string at_end = "by the end of the run the feed adds " + in_words(counts.fed_particles) +
+                             " particles, about " + in_words(counts.bytes / 1e9) + " GB in all";
+  if (!setup.discharge)
+    throw BadKey("feed.rate", at_end + ": " + too_much +
+                                  ", and without a crusher nothing is removed; feed less, or shorten time.duration");
+  return {at_end + " if nothing were discharged: " + too_much +
+          "; the run ends with exit code 6 if the chamber holds that much at a time"};
+}
+
 }  // namespace
 
 double expected_bytes(double particles, double bonds) {
@@ -93,24 +114,17 @@ ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, doubl
   const Scene& scene = setup.scene;
   ExpectedCounts counts;
   counts.steps = duration / step.dt;
+  constexpr double copies = 2;  // of the host and of the device
+  counts.window_bytes =
+      copies * sizeof(WallPose) * static_cast<double>(scene.walls.size()) * static_cast<double>(step.steps_per_window);
   add_start(counts, setup.start);
   if (setup.feed) {
     const double density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
     add_feed(counts, *setup.feed, setup.library, mean_rock(setup.library, density), duration);
   }
-  counts.bytes = expected_bytes(counts.particles + counts.fed_particles, counts.bonds);
+  if (!scene.bonds) counts.bonds = counts.fed_bonds = 0;  // rocks fall apart
+  counts.bytes = expected_bytes(counts.particles + counts.fed_particles, counts.bonds + counts.fed_bonds);
   return counts;
-}
-
-double available_memory() {
-  double bytes = std::numeric_limits<double>::infinity();
-  try {
-    const std::string info = read_file("/proc/meminfo");
-    const std::size_t at = info.find("MemAvailable:");
-    if (at != std::string::npos) bytes = 1024 * std::stod(info.substr(at + 13));
-  } catch (const std::exception&) {  // another system
-  }
-  return bytes;
 }
 
 void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoice& step, std::optional<double> until) {
@@ -126,19 +140,15 @@ void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoi
   throw BadKey("time.duration", found + "shorten it (check its unit)");
 }
 
-std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup) {
+std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup, const FreeMemory& memory) {
   const std::string key = setup.feed ? "feed" : "particles";
-  const std::string advice =
-      "; raise the smallest size of the rock (check its unit), feed less, or use fewer particles a rock";
   const std::string found = counted(counts) + sizes_of(setup.library);
   if (!(counts.particles <= max_particles_of_run)) throw BadKey(key, found + ": more than 2e9 particles" + advice);
   if (!(counts.particles + counts.fed_particles <= max_particles_of_run))
     throw BadKey(key, found + ", and the feed adds more than 2e9 particles over the run" + advice);
-  const double memory = available_memory();
-  if (expected_bytes(counts.particles, counts.bonds) > share_of_memory * memory)
-    throw BadKey(key, found + ": more than 0.9 of the memory that is free, " + in_words(memory / 1e9) + " GB" + advice);
-  if (counts.particles > many_particles) return {"large case: " + found};
-  return {};
+  std::vector<std::string> notes = check_memory(counts, setup, found, memory);
+  if (counts.particles > many_particles) notes.push_back("large case: " + found);
+  return notes;
 }
 
 }  // namespace gyro

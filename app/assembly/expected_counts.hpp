@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/assembly/free_memory.hpp"
 #include "app/simulation/setup.hpp"
 #include "app/simulation/time_step.hpp"
 #include "io/case/case.hpp"
@@ -15,10 +16,11 @@ namespace gyro {
 
 /// Counts as double, because a wrong unit can give numbers that exceed the range of integers.
 struct ExpectedCounts {
-  double rocks = 0, particles = 0, bonds = 0;  ///< at the start, a batch included
-  double fed_rocks = 0, fed_particles = 0;     ///< by the feed's rate over the run
+  double rocks = 0, particles = 0, bonds = 0;              ///< at the start, a batch included
+  double fed_rocks = 0, fed_particles = 0, fed_bonds = 0;  ///< by the feed's rate over the run
   double steps = 0;
-  double bytes = 0;  ///< of the start and of what the rate feeds, if nothing is discharged
+  double window_bytes = 0;  ///< of the poses of the walls in the steps of a coupling interval
+  double bytes = 0;  ///< of the start and of what the rate feeds, if all of it finds room and nothing is discharged
 };
 
 /// Bytes of particles and bonds with their lists and histories; quickstart: 1.78 MB for 2041 and 5037.
@@ -27,17 +29,17 @@ double expected_bytes(double particles, double bonds);
 /// @param duration  of the run [s]
 ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, double duration);
 
-/// Free memory of the machine [bytes]; infinity if it is not known.
-double available_memory();
-
 /// Refuses more steps than can be counted.
 /// @param until  end of the run in place of time.duration [s]
 /// @throws BadKey for the time in the case that is to blame, BadInput for `until`
 void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoice& step, std::optional<double> until);
 
-/// Refuses cases with more particles than ids, or more memory than is free.
+/// Refuses cases with more particles than ids, or more memory than is free. What the
+/// rate feeds over the run is refused where nothing takes it away, and only noted where a crusher discharges, since
+/// nobody knows how much of it is in the chamber at the same time.
 /// @return notes on large but possible cases
-/// @throws BadKey for `feed` or `particles`, with the counts
-std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup);
+/// @throws BadKey for `feed`, `feed.rate`, `particles`, `coupling.interval` or `time.duration`, with the counts
+std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup,
+                                      const FreeMemory& memory = free_memory());
 
 }  // namespace gyro

@@ -2,6 +2,7 @@
 #include "app/assembly/walls.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/lid.hpp"
 #include "app/assembly/mesh_checks.hpp"
 #include "core/walls/radial_sections.hpp"
 #include "io/mesh/mesh_file.hpp"
@@ -90,6 +91,12 @@ void set_doubtful_meshes(CaseWalls& out, double closed_side_setting) {
   }
 }
 
+void add_lid(CaseWalls& out, double height) {
+  out.walls.push_back(make_lid(height, out.walls));
+  const auto& shape = std::get<ProfileShape>(out.walls.back().shape);
+  out.pictures.push_back({revolve(shape, picture_sectors), static_cast<Index>(out.walls.size()) - 1});
+}
+
 ConcaveOutline outline_of(const TriangleMesh& mesh) {
   HeightRange heights{1e300, -1e300};
   for (const Vec3d& v : mesh.vertices) heights = {std::min(heights.low, v.z), std::max(heights.high, v.z)};
@@ -138,6 +145,7 @@ CaseWalls make_walls(const Case& input) {
     out.liners = blaming("crusher", [&] { return liners_of(*input.crusher); });
   for (const CaseWall& wall : input.walls) blaming("walls." + wall.name, [&] { add_wall(out, wall); });
   if (input.crusher) blaming("crusher", [&] { set_doubtful_meshes(out, input.crusher->closed_side_setting); });
+  if (input.crusher && input.crusher->lid) blaming("crusher.lid", [&] { add_lid(out, *input.crusher->lid); });
   out.notes.insert(out.notes.end(), out.doubts.begin(), out.doubts.end());
   return out;
 }

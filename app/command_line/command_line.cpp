@@ -143,7 +143,7 @@ void add_commands_of_runs(CLI::App& app, Arguments& a) {
   c = forms->add_subcommand("csv", "a table of a run as CSV");
   c->add_option("RUNDIR", a.exported.run, "directory of a run")->required();
   c->add_option("--table", a.exported.table,
-                "series, ledger, breakage, product, holdup or performance; default series");
+                "series, ledger, breakage, fragments, product, holdup or performance; default series");
   c->add_option("--out", a.exported.out, "file; default standard output")->check(possible_name);
   c->callback([&a] { a.chosen = [&a] { return export_command(a.exported); }; });
 }

@@ -21,7 +21,9 @@ namespace {
 struct Estimate {
   StepChoice step;
   std::int64_t particles = 0, bonds = 0, particles_at_end = 0, steps = 0;
-  double bytes = 0, seconds = 0;
+  double bytes_at_start = 0;  ///< a batch included
+  double bytes = 0;           ///< with all that the rate feeds, if nothing is discharged
+  double seconds = 0;
   bool placed = true;  ///< otherwise the counts follow from masses, and a part of the rock was tried
 };
 
@@ -95,7 +97,9 @@ Estimate estimate(const Case& input, const Assembly& assembly, int threads) {
   e.bonds = e.placed ? trial.start.bonds_intact : std::llround(expected.bonds);
   const double start = batch ? std::max(expected.particles, double(e.particles)) : double(e.particles);
   e.particles_at_end = std::llround(start + expected.fed_particles);
-  e.bytes = expected_bytes(double(e.particles_at_end), double(e.bonds));
+  const double bonds = batch ? std::max(expected.bonds, double(e.bonds)) : double(e.bonds);
+  e.bytes_at_start = expected_bytes(start, bonds);
+  e.bytes = expected_bytes(double(e.particles_at_end), bonds + expected.fed_bonds);
   // A step takes time in proportion to the particles; what the rate feeds in a trial is too little to count.
   const double average = 0.5 * (start + double(e.particles_at_end));
   const auto tried = static_cast<double>(batch ? trial.particles : trial.start.particles);
@@ -108,11 +112,25 @@ void add_figures(nlohmann::json& out, const Estimate& e) {
   out["time_step_limit"] = e.step.limit;  // null where nothing limits it
   out["limited_by"] = e.step.limited_by;
   out["particles"] = e.particles;
+  out["particles_at_end"] = e.particles_at_end;  // if all the feed finds room and nothing is discharged
   out["bonds"] = e.bonds;
   out["steps"] = e.steps;
   out["bytes"] = e.bytes;
+  out["bytes_at_start"] = e.bytes_at_start;
+  out["bytes_free"] = free_memory().bytes;  // null where it is not known
   out["estimated_seconds"] = e.seconds;
   out["placed"] = e.placed;
+}
+
+/// The most that a run can need: how much of the feed is in the chamber at a time shows only in a run.
+void print_memory(const Estimate& e) {
+  std::printf("memory         about %s bytes", format_count(e.bytes).c_str());
+  if (e.bytes > e.bytes_at_start)
+    std::printf(" if all the feed finds room and nothing is discharged, %s at the start",
+                format_count(e.bytes_at_start).c_str());
+  if (const FreeMemory free = free_memory(); std::isfinite(free.bytes))
+    std::printf("; %s is %s", free.what.c_str(), format_count(free.bytes).c_str());
+  std::printf("\n");
 }
 
 void print(const Case& input, const Assembly& assembly, const Estimate& e) {
@@ -131,7 +149,7 @@ void print(const Case& input, const Assembly& assembly, const Estimate& e) {
     std::printf("library        %zu rocks, %.3g to %.3g mm\n", rocks.size(), rocks.front().diameter * 1e3,
                 rocks.back().diameter * 1e3);
   for (const std::string& note : assembly.notes) std::printf("note           %s\n", note.c_str());
-  std::printf("memory         about %s bytes\n", format_count(e.bytes).c_str());
+  print_memory(e);
   std::printf("wall time      about %s on this machine\n", format_duration(e.seconds).c_str());
 }
 

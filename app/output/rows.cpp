@@ -9,7 +9,8 @@ RowWriter::RowWriter(const Case& input, const OutputForm& form)
     : input_(input),
       series_(series_table(), form),
       ledger_(ledger_table(), form),
-      performance_(performance_table(), form) {
+      performance_(performance_table(), form),
+      fragments_(fragments_table(), form) {
   if (breakage_table().presence.holds(form)) breakage_.emplace(breakage_table(), form);
   if (!product_table().presence.holds(form)) return;
   product_.emplace(product_table(), form, sieves_of(input).size());
@@ -17,8 +18,8 @@ RowWriter::RowWriter(const Case& input, const OutputForm& form)
 }
 
 void RowWriter::declare(ResultsContent& content) const {
-  content.groups.insert(content.groups.end(),
-                        {series_.declaration(), ledger_.declaration(), performance_.declaration()});
+  content.groups.insert(content.groups.end(), {series_.declaration(), ledger_.declaration(), performance_.declaration(),
+                                               fragments_.declaration()});
   if (breakage_) content.groups.push_back(breakage_->declaration());
   if (!product_) return;
   for (const auto& [curves, sieves] :
@@ -33,8 +34,13 @@ void RowWriter::add(ResultsFile& file, const WindowResult& result, const Simulat
   const WindowReading window = read_window(result, simulation);
   series_.add(window);
   ledger_.add(window);
+  write(file, result.left);
   if (!breakage_) return;
   for (const Breakage& breakage : result.breakages) breakage_->append(file, breakage);
+}
+
+void RowWriter::write(ResultsFile& file, const std::vector<FragmentRecord>& fragments) {
+  for (const FragmentRecord& fragment : fragments) fragments_.append(file, fragment);
 }
 
 CurveReading RowWriter::reading_of(const ProductRow& curve) const {

@@ -9,7 +9,7 @@
 namespace gyro {
 
 /// The groups of results.h5 that get a row at the same times: /series, /ledger, /performance, /product and /holdup; and
-/// /breakage, which gets a row for each bond.
+/// /breakage and /fragments, which get a row for each bond and each fragment.
 class RowWriter {
  public:
   RowWriter(const Case& input, const OutputForm& form);
@@ -18,6 +18,8 @@ class RowWriter {
   void declare(ResultsContent& content) const;
   /// Adds a window to the means of the next row, and writes the bonds that broke in it.
   void add(ResultsFile& file, const WindowResult& result, const Simulation& simulation);
+  /// Writes fragments: those that have left, or at the end all others.
+  void write(ResultsFile& file, const std::vector<FragmentRecord>& fragments);
   bool empty() const { return !(series_.length() > 0); }  ///< no window since the last row
   void write(ResultsFile& file, const Simulation& simulation, double wall_seconds);
 
@@ -32,6 +34,7 @@ class RowWriter {
   TableWriter<SeriesReading, WindowReading> series_;
   TableWriter<LedgerReading, WindowReading> ledger_;
   TableWriter<PerformanceReading> performance_;
+  TableWriter<FragmentRecord> fragments_;
   std::optional<TableWriter<Breakage>> breakage_;
   std::optional<TableWriter<CurveReading>> product_, holdup_;
   double discharged_before_ = 0;  ///< at the last row [kg]

@@ -77,7 +77,6 @@ void add_drive(Summary& s, const Case& input, const Simulation& simulation, cons
   if (simulation.product()) add_steady(s, input, simulation, output);
   if (simulation.drivetrain()->knows().motor_power)
     s.motor = output.motor().figures(s.steady ? s.steady->from : 0, rated_power(input));
-  s.stalled = simulation.drivetrain()->stalled();
   for (const DriveEvent& event : simulation.drivetrain()->events())
     s.drive_events.push_back({event.time, to_string(event.kind)});
 }
@@ -93,6 +92,7 @@ void add_figures(Summary& s, const Case& input, const Assembly& assembly, const 
   s.bond_steps = counts.bond_steps;
   s.particles = counts.particles;
   s.bonds_initial = simulation.bonds_initial();
+  s.stalled = simulation.drivetrain() && simulation.drivetrain()->stalled();
   s.bonds_broken = counts.broken_tension + counts.broken_shear;
   s.energy_residual_fraction = if_finite(simulation.ledger().residual_fraction());
   s.momentum_residual_fraction = if_finite(simulation.momentum().residual_fraction());

@@ -4,21 +4,39 @@
 #include "core/scene/wall_motion.hpp"
 
 #include <cmath>
+#include <sstream>
 #include <string_view>
 
 namespace gyro {
 namespace {
 
-constexpr std::string_view rows_prefix = "results";
-constexpr std::string_view rows_suffix = "/rows";  // a group of results.h5 may hold another
+constexpr std::string_view marks_prefix = "results";
+constexpr std::string_view rows_suffix = "/rows", digests_suffix = "/digests";  // a group may hold another
 
-ResultsRows saved_rows(const SavedState& saved) {
-  ResultsRows rows;
-  for (const auto& [name, column] : saved.columns())
-    if (name.starts_with(rows_prefix))
-      rows[name.substr(rows_prefix.size(), name.size() - rows_prefix.size() - rows_suffix.size())] =
-          saved.get_one<std::int64_t>(name);
-  return rows;
+/// A line for each channel: its digest and its name.
+std::string lines_of_digests(const GroupMark& mark) {
+  std::string lines;
+  for (const auto& [channel, digest] : mark.digests) lines += digest + " " + channel + "\n";
+  return lines;
+}
+
+std::map<std::string, std::string> read_digests(const std::string& text) {
+  std::map<std::string, std::string> digests;
+  std::istringstream lines(text);
+  for (std::string digest, channel; lines >> digest && std::getline(lines.ignore(1), channel);)
+    digests[channel] = digest;
+  return digests;
+}
+
+ResultsMarks saved_marks(const SavedState& saved) {
+  ResultsMarks marks;
+  for (const auto& [name, column] : saved.columns()) {
+    if (!name.starts_with(marks_prefix) || !name.ends_with(rows_suffix)) continue;
+    const std::string group = name.substr(marks_prefix.size(), name.size() - marks_prefix.size() - rows_suffix.size());
+    marks[group] = {saved.get_one<std::int64_t>(name),
+                    read_digests(saved.get_text(std::string(marks_prefix) + group + std::string(digests_suffix)))};
+  }
+  return marks;
 }
 
 /// Number of intervals that are complete at a time.
@@ -46,7 +64,7 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
       state_(saved ? saved->get_one<State>("output") : State{}),
       rows_(input, output_form(input, assembly)),
       maps_(input, assembly),
-      results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_rows(*saved))
+      results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_marks(*saved))
                      : ResultsFile(directory / "results.h5", content(record))),
       snapshots_(directory, state_.snapshot_times) {
   if (!saved) return;
@@ -67,7 +85,8 @@ ResultsContent RunOutput::content(const CaseRecord& record) const {
   return content;
 }
 
-void RunOutput::begin(const Simulation& simulation) {
+void RunOutput::begin(Simulation& simulation) {
+  rows_.write(results_, simulation.take_left());
   if (input_.output.snapshots > 0) write_snapshot(simulation);
 }
 
@@ -130,8 +149,11 @@ void RunOutput::save(SavedState& to) const {
   state.snapshot_interval = input_.output.snapshots;
   state.snapshot_times = snapshots_.times();
   to.put_one("output", state);
-  for (const auto& [group, rows] : results_.rows())
-    to.put_one(std::string(rows_prefix) + group + std::string(rows_suffix), rows);
+  for (const auto& [group, mark] : results_.marks()) {
+    const std::string name = std::string(marks_prefix) + group;
+    to.put_one(name + std::string(rows_suffix), mark.rows);
+    to.put_text(name + std::string(digests_suffix), lines_of_digests(mark));
+  }
   rows_.save(to);
   maps_.save(to);
   gyrations_.save(to);
@@ -144,8 +166,14 @@ bool RunOutput::lost(const Simulation& simulation) {
   return lost_;
 }
 
-void RunOutput::close(const Simulation& simulation) {
+void RunOutput::close(Simulation& simulation) {
   if (!rows_.empty() && !lost_) write_row(simulation);
+  rows_.write(results_, simulation.take_left());
+  rows_.write(results_, simulation.fragments_inside());
+  close();
+}
+
+void RunOutput::close() {
   maps_.close(results_);
   results_.close();
 }

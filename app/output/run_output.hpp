@@ -24,8 +24,8 @@ class RunOutput {
   RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
             const std::filesystem::path& directory, const SavedState* saved = nullptr);
 
-  /// Writes the snapshot of the start, if the case asks for snapshots.
-  void begin(const Simulation& simulation);
+  /// Writes what there is at the start: the snapshot, if the case asks for snapshots, and rock that lies outside.
+  void begin(Simulation& simulation);
   /// Adds a window; writes the row and the snapshot if they are due. A window with numbers that are not finite is left
   /// out, and all that follows: no table has such numbers.
   void take(const WindowResult& result, const Simulation& simulation);
@@ -36,8 +36,11 @@ class RunOutput {
   double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
   /// Whether windows were left out, or the present state is not finite.
   bool lost(const Simulation& simulation);
-  /// Writes the last row, unless it is lost, and closes the files. @param simulation  inspected at its end
-  void close(const Simulation& simulation);
+  /// Writes the last row, unless it is lost, and the fragments that are left in the scene, and closes the files. @param
+  /// simulation inspected at its end
+  void close(Simulation& simulation);
+  /// Closes the files without the row of an interval that is not complete.
+  void close();
 
   double mean_crushing_power() const { return state_.time > 0 ? state_.crushing_work / state_.time : 0; }  ///< [W]
   double crushing_work() const { return state_.crushing_work; }                                            ///< [J]

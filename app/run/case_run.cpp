@@ -9,9 +9,15 @@
 #include "core/base/errors.hpp"
 #include "io/run/replace_file.hpp"
 
+#include <cstdio>
 #include <iostream>
 
 namespace gyro {
+namespace {
+
+constexpr double longest_wait = 5;  // for the end of a window after a request to stop [s]
+
+}  // namespace
 
 CaseRun::CaseRun(const Case& input, const RunOptions& options, const SavedState* saved)
     : input_(input),
@@ -60,11 +66,16 @@ RunStatus CaseRun::run() {
   Summary summary = base_summary();
   try {
     guarded_loop(summary);
-    if (output_.lost(*simulation_))
-      log_.lost_rows();
-    else
-      simulation_->inspect();  // for the row of an interval that is not complete
-    output_.close(*simulation_);
+    const bool lost = output_.lost(*simulation_);
+    if (given_up_) {
+      output_.close();
+    } else {
+      if (lost)
+        log_.lost_rows();
+      else
+        simulation_->inspect();  // for the row of an interval that is not complete
+      output_.close(*simulation_);
+    }
   } catch (const std::exception& failure) {
     fail(summary, failure.what());
     throw;
@@ -81,7 +92,31 @@ void CaseRun::guarded_loop(Summary& summary) {
     summary.reason = stop.what();
     log_.stopped(stop.what());
     checkpoints_.write_last_good(output_);
+  } catch (const WindowGivenUp&) {
+    give_up(summary);
   }
+}
+
+void CaseRun::give_up(Summary& summary) {
+  given_up_ = true;
+  summary.status = RunStatus::interrupted;
+  char text[300];
+  const std::chrono::duration<double> spent = Clock::now() - window_begin_;
+  std::snprintf(
+      text, sizeof text,
+      "%s; the coupling window from t = %.6g s on was given up after %.3g s, since its end was more than %.0f s "
+      "away; shorter windows (coupling.interval) are finished",
+      stop_reason(), simulation_->time(), spent.count(), longest_wait);
+  summary.reason = text;
+  log_.stopped(text);
+  checkpoints_.write_last_good(output_);
+}
+
+bool CaseRun::must_give_up(double share_done) const {
+  if (stop_reason() == nullptr || !(share_done > 0)) return false;
+  const std::chrono::duration<double> spent = Clock::now() - window_begin_;
+  // One step may be slow for any reason; a second of steps tells how long the rest takes.
+  return spent.count() > 1 && spent.count() * (1 - share_done) / share_done > longest_wait;
 }
 
 void CaseRun::loop(Summary& summary) {
@@ -89,9 +124,12 @@ void CaseRun::loop(Summary& summary) {
   Progress progress(progress_state(), options_.end, ProgressStyle::for_stderr(options_.quiet));
   if (!resumed_) output_.begin(simulation);
   checkpoints_.keep_if_due(simulation, output_);
+  if (simulation.unsaveable().empty())  // else nothing could be continued
+    simulation.give_up_windows_when([this](double share_done) { return must_give_up(share_done); });
   summary.status = RunStatus::done;
   const double rounding = 1e-6 * assembly_.step.steps_per_window * assembly_.step.dt;
   while (simulation.time() < options_.end - rounding) {
+    window_begin_ = Clock::now();
     output_.take(simulation.advance(), simulation);
     log_.drive_events(simulation);
     simulation.require_sound();
@@ -164,10 +202,26 @@ void CaseRun::mark_unfinished() const {
   Summary s = base_summary();
   s.status = RunStatus::interrupted;
   s.reason = "resumed from its checkpoint, not finished";
-  s.simulated_seconds = simulation_->time();
   s.wall_seconds = output_.earlier_seconds();
+  add_figures(s, input_, assembly_, *simulation_, output_);
   write_summary(s, directory_.path);
 }
+
+namespace {
+
+/// A summary with the figures of a run that failed; without them where they cannot be had, as on a device that is lost.
+Summary with_known_figures(const Summary& s, const Case& input, const Assembly& assembly, const Simulation& simulation,
+                           const RunOutput& output) {
+  Summary full = s;
+  try {
+    add_figures(full, input, assembly, simulation, output);
+    return full;
+  } catch (const std::exception&) {  // the failure itself is reported
+    return s;
+  }
+}
+
+}  // namespace
 
 /// Records a failure in the directory, if it can still be written.
 void CaseRun::fail(Summary& s, const std::string& reason) const {
@@ -176,7 +230,7 @@ void CaseRun::fail(Summary& s, const std::string& reason) const {
   s.simulated_seconds = simulation_->time();
   s.wall_seconds = seconds_so_far();
   try {
-    write_summary(s, directory_.path);
+    write_summary(with_known_figures(s, input_, assembly_, *simulation_, output_), directory_.path);
   } catch (const OutputError&) {  // the failure itself is reported
   }
 }

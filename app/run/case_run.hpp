@@ -45,6 +45,9 @@ class CaseRun {
   CaseRecord record() const;
   void guarded_loop(Summary& summary);
   void loop(Summary& summary);
+  /// Whether the window must be given up: somebody asks to stop and its end is far. @param share_done  of its steps
+  bool must_give_up(double share_done) const;
+  void give_up(Summary& summary);
   /// Reason why the run must stop before its end; null if there is none.
   const char* stop_reason() const;
   ProgressState progress_state() const;
@@ -59,6 +62,8 @@ class CaseRun {
   RunOptions options_;
   bool resumed_;
   Clock::time_point start_ = Clock::now();
+  Clock::time_point window_begin_ = start_;
+  bool given_up_ = false;  ///< the last window, so that particles are where no row expects them
   Assembly assembly_;
   std::unique_ptr<Simulation> simulation_;
   RunDirectory directory_;

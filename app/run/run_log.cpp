@@ -89,7 +89,7 @@ void RunLog::ended(const Simulation& simulation, RunStatus status) {
     std::snprintf(
         line, sizeof line,
         "%.4g kg of rock left over the rim, %.2g %% of the feed; it is not in the product: feed less or lower, "
-        "or close the chamber with a plane in walls above the feed",
+        "or close the chamber with crusher.lid",
         simulation.escaped_mass(), 100 * escaped);
     log_.warning(line);
   }

@@ -105,6 +105,7 @@ WindowResult Simulation::advance(int max_steps) {
   if (due) ++state_.inspections;
   result.inspected = due || verdict_;
   if (result.inspected) inspect();  // 6. fragments are counted, product is removed
+  result.left = take_left();
   return result;
 }
 
@@ -148,7 +149,7 @@ void Simulation::insert(std::span<const NewRock> rocks) {
   if (rocks.empty()) return;
   for (const NewRock& rock : rocks) {
     state_.particles_inserted += static_cast<std::int64_t>(rock.particles.size());
-    state_.bonds_inserted += static_cast<std::int64_t>(rock.bonds.size());
+    if (setup_.scene.bonds) state_.bonds_inserted += static_cast<std::int64_t>(rock.bonds.size());
     for (const NewParticle& p : rock.particles)
       state_.mass_inside += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
   }
@@ -180,7 +181,10 @@ void Simulation::inspect() {
 
 /// Counts what has left the chamber, analyses what has not, and removes what lies far below the discharge plane.
 void Simulation::count_product(const ParticleSnapshot& particles, const FragmentTable& table) {
-  product_->update(table, particles);
+  for (FragmentRecord& fragment : product_->update(table, particles)) {
+    fragment.time = time();
+    left_.push_back(fragment);
+  }
   hold_up_->update(table, particles, *product_);
   const std::vector<ParticleId> gone = product_->removable(table, particles, setup_.discharge->removal_depth);
   if (gone.empty()) return;
@@ -188,6 +192,20 @@ void Simulation::count_product(const ParticleSnapshot& particles, const Fragment
     if (std::binary_search(gone.begin(), gone.end(), particles.id[n])) state_.mass_inside -= particles.mass[n];
   dem_->remove(gone);
   open_balances();
+}
+
+std::vector<FragmentRecord> Simulation::fragments_inside() const {
+  std::vector<FragmentRecord> inside;
+  if (!ledger_.extremes().finite) return inside;
+  const ParticleSnapshot particles = dem_->particles();
+  const FragmentTable table = fragment_table(particles);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (product_ && product_->has_left(particles.id[static_cast<std::size_t>(table.rows[row].first_particle)]))
+      continue;
+    inside.push_back(record_of(table, row, particles, rock_density_));
+    inside.back().time = time();
+  }
+  return inside;
 }
 
 double Simulation::discharged_mass() const {

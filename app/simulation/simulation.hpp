@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gyro {
@@ -27,6 +28,7 @@ struct WindowResult {
   std::vector<WallLoad> walls;             ///< one per wall
   std::vector<Breakage> breakages;         ///< of bonds, by time
   std::vector<WallImpulse> wall_impulses;  ///< empty unless scene.wall_impulses
+  std::vector<FragmentRecord> left;        ///< fragments that its inspection found to have left the chamber
   double holdup_mass = 0;                  ///< at the end of the window, before its inspection [kg]
   double discharged_mass = 0;              ///< likewise, since the start [kg]
   bool inspected = false;                  ///< it ended with an inspection
@@ -52,6 +54,9 @@ class Simulation {
   /// next.
   /// @param max_steps  makes the window shorter than setup.steps_per_window; at least one hold is done
   WindowResult advance(int max_steps = std::numeric_limits<int>::max());
+  /// A window that this condition gives up ends advance() with WindowGivenUp: it never was, the figures stay those of
+  /// its beginning, and the simulation cannot go on but from a saved state. Bits of windows that end are not changed.
+  void give_up_windows_when(GiveUp condition) { dem_->give_up_when(std::move(condition)); }
   /// Why the last window must be the last; empty while all is well.
   const std::optional<std::string>& verdict() const { return verdict_; }
   /// @throws StoppedByGuard with the verdict, if there is one
@@ -88,6 +93,10 @@ class Simulation {
   MassCount mass_count() const;
   std::int64_t fragments() const { return state_.fragments; }          ///< at the last inspection
   double largest_fragment() const { return state_.largest_fragment; }  ///< mass of the heaviest at that time [kg]
+  /// Fragments that inspections outside of advance() found to have left, since the last call.
+  std::vector<FragmentRecord> take_left() { return std::exchange(left_, {}); }
+  /// The fragments that are in the scene now and have not left; none where a position is not finite.
+  std::vector<FragmentRecord> fragments_inside() const;
   std::int64_t bonds_initial() const { return state_.bonds_inserted; }
   /// What must be kept to continue bit for bit, between windows of a sound run.
   SavedState save() const;
@@ -139,6 +148,7 @@ class Simulation {
   ThinWallCheck thin_walls_;
   std::optional<std::string> verdict_;
   State state_;
+  std::vector<FragmentRecord> left_;
   std::int64_t inspected_at_ = -1;  ///< step of the last inspection
 };
 

@@ -23,6 +23,11 @@ struct StoppedByGuard : Failure {
   using Failure::Failure;
 };
 
+/// A window was given up before its end, because somebody asked for it (GiveUp in core/scene/window.hpp).
+struct WindowGivenUp : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// A file could not be written or the disk is full. Exit code 5.
 struct OutputError : Failure {
   using Failure::Failure;

@@ -34,6 +34,8 @@ class DemSolver final : public Dem {
   void remove(std::span<const ParticleId> ids) override;
   void advance(const Window& window, const MantlePath& path) override;
 
+  void give_up_when(GiveUp condition) override { give_up_ = std::move(condition); }
+
   std::vector<WallPose> wall_poses() const override { return walls_.poses(); }
   std::vector<WallLoad> wall_loads() const override { return accounts_.loads(); }
   EnergyTerms energy() const override { return sums().energy(monitor_.energies()); }
@@ -78,6 +80,7 @@ class DemSolver final : public Dem {
   WallAccounts<Exec> accounts_;
   Monitor<Exec> monitor_;
   typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this hold; empty when a hold is one step
+  GiveUp give_up_;                             ///< may be empty
   bool primed_ = false;                        ///< the particles have the loads of their present positions
 };
 

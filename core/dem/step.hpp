@@ -18,6 +18,8 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
   if (!primed_) prime();
   const int hold = scene_.substeps;
   for (int done = 0; done < window.steps; done += hold) {
+    if (give_up_ && give_up_(static_cast<double>(done) / window.steps))
+      throw WindowGivenUp("the window from t = " + std::to_string(window.begin()) + " s on was given up");
     walls_.go_to_step(done + 1);
     advance_to_hold(window.first_step + done + 1, done == 0);
     watch();

@@ -33,32 +33,36 @@ void Product::mark(const FragmentTable& table, std::size_t row, const ParticleSn
   }
 }
 
-void Product::count_discharged(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles) {
-  const Fragment& f = table.rows[row];
+void Product::count_discharged(const FragmentRecord& f) {
   ++state_.fragments;
   state_.particles += f.particles;
   state_.mass += f.mass;
-  state_.sieve_mass[sieve_of(sieves_, sieve_size(table, row, particles, rock_density_))] += f.mass;
+  state_.sieve_mass[sieve_of(sieves_, f.size)] += f.mass;
   if (f.particles == 1) {
     ++state_.singles;
     state_.singles_mass += f.mass;
   }
 }
 
-void Product::update(const FragmentTable& table, const ParticleSnapshot& particles) {
+std::vector<FragmentRecord> Product::update(const FragmentTable& table, const ParticleSnapshot& particles) {
+  std::vector<FragmentRecord> left;
   for (std::size_t row = 0; row < table.size(); ++row) {
     // Bonds never heal, so either all particles of a fragment have been counted or none.
     const Fragment& f = table.rows[row];
     if (has_left(particles.id[static_cast<std::size_t>(f.first_particle)])) continue;
-    if (is_outside(table, row, particles)) {
-      mark(table, row, particles, escaped);
+    const bool outside = is_outside(table, row, particles);
+    if (!outside && !(f.highest < 0)) continue;
+    FragmentRecord& record = left.emplace_back(record_of(table, row, particles, rock_density_));
+    record.place = outside ? escaped : discharged;
+    mark(table, row, particles, record.place);
+    if (outside) {
       state_.escaped_particles += f.particles;
       state_.escaped_mass += f.mass;
-    } else if (f.highest < 0) {
-      mark(table, row, particles, discharged);
-      count_discharged(table, row, particles);
+    } else {
+      count_discharged(record);
     }
   }
+  return left;
 }
 
 std::vector<ParticleId> Product::removable(const FragmentTable& table, const ParticleSnapshot& particles,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/fragments/concave_outline.hpp"
-#include "core/fragments/fragment_table.hpp"
+#include "core/fragments/fragment_record.hpp"
 #include "core/fragments/sieve_curve.hpp"
 
 #include <cstdint>
@@ -24,7 +24,8 @@ namespace gyro {
 class Product {
  public:
   /// Where a particle is.
-  enum Place : std::uint8_t { in_chamber = 0, discharged = 1, escaped = 2 };
+  using Place = FragmentRecord::Place;
+  using enum FragmentRecord::Place;
 
   /// Everything that a checkpoint keeps.
   struct State {
@@ -60,7 +61,8 @@ class Product {
 
   /// Counts the fragments that have left the chamber since the last update.
   /// @param table  of these particles
-  void update(const FragmentTable& table, const ParticleSnapshot& particles);
+  /// @returns them, without the time
+  std::vector<FragmentRecord> update(const FragmentTable& table, const ParticleSnapshot& particles);
 
   /// Ids of the particles of all fragments that have left the chamber and lie completely below z = -depth.
   /// @param depth  [m], >= 0
@@ -77,7 +79,7 @@ class Product {
  private:
   bool is_outside(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles) const;
   void mark(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles, Place place);
-  void count_discharged(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles);
+  void count_discharged(const FragmentRecord& fragment);
 
   double rock_density_;
   std::optional<ConcaveOutline> concave_;

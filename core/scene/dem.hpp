@@ -29,8 +29,12 @@ class Dem {
   /// Wall seconds by phase of the step, since the start.
   virtual std::vector<std::pair<std::string, double>> phase_seconds() const = 0;
   /// Advances by one window; every wall moves as its motion says, gyrating ones along `path`.
-  /// @throws StoppedByGuard when particles crowd or have too many neighbours
+  /// @throws StoppedByGuard when particles crowd or have too many neighbours; WindowGivenUp, after which nothing but
+  /// restore() makes the scene usable again. Counts, breakages and wall loads are still those of the last whole window.
   virtual void advance(const Window& window, const MantlePath& path) = 0;
+
+  /// Asks this in all windows from now on.
+  virtual void give_up_when(GiveUp condition) = 0;
 
   virtual std::vector<WallLoad> wall_loads() const = 0;  ///< of the last window, one per wall
   virtual EnergyTerms energy() const = 0;                ///< now

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 namespace gyro {
 
@@ -16,6 +17,9 @@ struct Window {
   double end() const { return static_cast<double>(first_step + steps) * dt; }
   double length() const { return steps * dt; }
 };
+
+/// Asked before each step of a window with the share of its steps that are done; whether the window is given up.
+using GiveUp = std::function<bool(double share_done)>;
 
 /// The eccentric over a window, as the drivetrain predicts it: constant speed, continuous angle.
 struct MantlePath {

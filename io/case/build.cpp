@@ -171,6 +171,7 @@ CaseCrusher crusher_of(const Setting& section, const CaseTables& tables) {
   crusher.eccentricity = section.number("eccentricity");
   crusher.pivot_height = section.number("pivot_height");
   crusher.removal_depth = number_if(section, "removal_depth");
+  crusher.lid = number_if(section, "lid");
   return crusher;
 }
 

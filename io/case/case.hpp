@@ -96,6 +96,7 @@ struct CaseCrusher {
   std::vector<LinerRow> liners;                                        ///< rows of the profile, by increasing z
   double closed_side_setting = 0, eccentricity = 0, pivot_height = 0;  ///< [m]
   std::optional<double> removal_depth;  ///< below the discharge plane [m]; none: chosen by the program
+  std::optional<double> lid;            ///< height of the lid [m]; none: the chamber is open
 };
 
 /// Largest gap at the discharge plane over one gyration: OSS - CSS = throw = 2 x eccentricity [m].

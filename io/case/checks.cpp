@@ -176,6 +176,9 @@ void check_machine(const Setting& root, CaseProblems& log) {
     const Setting* pivot = crusher->find("pivot_height");
     if (arm != nullptr && pivot != nullptr && arm->numbers[0] >= pivot->numbers[0])
       log.add(arm->mark, "eccentricity is not smaller than pivot_height; give a smaller eccentricity");
+    if (const Setting* lid = crusher->find("lid"); lid != nullptr && root.find("walls.lid") != nullptr)
+      log.add(lid->mark,
+              "crusher.lid makes a wall called lid, but walls has one; rename that, or leave out one of them");
   }
   const Setting* drive = root.find("drivetrain");
   if (drive == nullptr) return;
@@ -301,6 +304,9 @@ void check_laboratory(const Setting& root, CaseProblems& log) {
     if (std::string_view(key) == "moving" && wall.find("motion.linear") == nullptr)
       log.add(name->mark, "the moving platen does not move; name a wall with motion: {linear: ...}");
   }
+  const Setting *fixed = laboratory->find("fixed"), *moving = laboratory->find("moving");
+  if (fixed != nullptr && moving != nullptr && fixed->texts[0] == moving->texts[0])
+    log.add(moving->mark, "fixed and moving are the same wall; name two platens");
   const Setting* test = laboratory->find("test");
   if (test != nullptr && test->texts[0] != "platen" && root.find("rocks.shapes.cylinder") == nullptr)
     log.add(test->mark, "a " + test->texts[0] + " test needs a cylinder; use rocks.shapes.cylinder");

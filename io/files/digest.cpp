@@ -26,6 +26,8 @@ struct Digest::State {
 
 Digest::Digest() : state_(std::make_unique<State>()) {}
 Digest::~Digest() = default;
+Digest::Digest(Digest&&) noexcept = default;
+Digest& Digest::operator=(Digest&&) noexcept = default;
 
 void Digest::update(std::span<const char> bytes) {
   XXH3_128bits_update(state_->state, bytes.data(), bytes.size());
@@ -47,14 +49,14 @@ std::string digest_of(std::string_view bytes) {
 
 std::string digest_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput(file.string() + ": cannot be opened");
+  if (!in) throw BadInput(file.string() + ": cannot be opened; check its path and permissions");
   Digest digest;
   std::vector<char> piece(1 << 20);
   while (in) {
     in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     digest.update(std::span(piece.data(), static_cast<std::size_t>(in.gcount())));
   }
-  if (in.bad()) throw BadInput(file.string() + ": cannot be read to its end");
+  if (in.bad()) throw BadInput(file.string() + ": cannot be read to its end; check the disk");
   return digest.hex();
 }
 

@@ -15,6 +15,8 @@ class Digest {
  public:
   Digest();
   ~Digest();
+  Digest(Digest&&) noexcept;
+  Digest& operator=(Digest&&) noexcept;
   void update(std::span<const char> bytes);
   /// Digest of all bytes so far, as 32 hexadecimal digits.
   std::string hex() const;

@@ -20,7 +20,7 @@ void seal(const std::filesystem::path& file) {
   const std::string digest = digest_of_file(file);
   std::ofstream out(file, std::ios::binary | std::ios::app);
   out << digest << std::flush;
-  if (!out) throw OutputError(file.string() + ": cannot write its digest");
+  if (!out) throw OutputError(file.string() + ": cannot write its digest; check the free space of the disk");
 }
 
 bool is_sealed(const std::filesystem::path& file) {

@@ -89,7 +89,9 @@ ModelDescription read_model_description(const std::string& xml) {
   const pugi::xml_node root = document.child("fmiModelDescription");
   if (!root) refuse("has no fmiModelDescription; an FMI 2.0 FMU for co-simulation is needed");
   const std::string version = text_of(root, "fmiVersion");
-  if (version != "2.0") refuse("is of FMI " + (version.empty() ? "without version" : version) + "; FMI 2.0 is needed");
+  if (version != "2.0")
+    refuse(version.empty() ? std::string("has no fmiVersion; FMI 2.0 is needed")
+                           : "is of FMI " + version + "; FMI 2.0 is needed");
   const pugi::xml_node slave = root.child("CoSimulation");
   if (!slave) refuse("has no CoSimulation (model exchange only); an FMU for co-simulation is needed");
 

@@ -20,6 +20,20 @@ Extent extent_of(const Handle& dataset, const std::string& where) {
   return extent;
 }
 
+/// Rows of a dataset, in its file and in memory.
+struct Rows {
+  Handle in_file, in_memory;
+};
+
+Rows select_rows(const Handle& dataset, const std::string& where, hsize_t first, hsize_t rows) {
+  const Extent extent = extent_of(dataset, where);
+  const std::array<hsize_t, 2> start{first, 0}, count{rows, extent.size[1]};
+  Handle in_file = own(H5Dget_space(dataset.get()), where, "read the shape");
+  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), where,
+        "select rows");
+  return {std::move(in_file), own(H5Screate_simple(extent.rank, count.data(), nullptr), where, "select rows")};
+}
+
 }  // namespace
 
 Dataset::Dataset(Handle handle, std::string where) : handle_(std::move(handle)), where_(std::move(where)) {}
@@ -46,16 +60,12 @@ void Dataset::append(const void* values, std::size_t total, Number in_memory) {
   silence_library();
   Extent extent = extent_of(handle_, where_);
   if (total % extent.size[1] != 0) throw std::logic_error(where_ + ": not a whole number of rows");
-  const std::array<hsize_t, 2> start{extent.size[0], 0};
-  const std::array<hsize_t, 2> count{total / extent.size[1], extent.size[1]};
-  extent.size[0] += count[0];
+  const hsize_t before = extent.size[0], added = total / extent.size[1];
+  extent.size[0] += added;
   check(H5Dset_extent(handle_.get(), extent.size.data()), where_, "grow");
-  const Handle in_file = own(H5Dget_space(handle_.get()), where_, "read the shape");
-  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), where_,
-        "select rows");
-  const Handle rows = own(H5Screate_simple(extent.rank, count.data(), nullptr), where_, "select rows");
-  check(H5Dwrite(handle_.get(), memory_type(in_memory), rows.get(), in_file.get(), H5P_DEFAULT, values), where_,
-        "write");
+  const Rows rows = select_rows(handle_, where_, before, added);
+  check(H5Dwrite(handle_.get(), memory_type(in_memory), rows.in_memory.get(), rows.in_file.get(), H5P_DEFAULT, values),
+        where_, "write");
 }
 
 void Dataset::truncate(std::int64_t rows) {
@@ -74,6 +84,17 @@ void Dataset::read(void* values, std::size_t count, Number in_memory) const {
   silence_library();
   if (count > 0)
     check(H5Dread(handle_.get(), memory_type(in_memory), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), where_, "read");
+}
+
+std::vector<double> Dataset::read_rows(std::int64_t first, std::int64_t count) const {
+  silence_library();
+  std::vector<double> values(static_cast<std::size_t>(count * columns()));
+  if (values.empty()) return values;
+  const Rows rows = select_rows(handle_, where_, static_cast<hsize_t>(first), static_cast<hsize_t>(count));
+  check(H5Dread(handle_.get(), memory_type(Number::float64), rows.in_memory.get(), rows.in_file.get(), H5P_DEFAULT,
+                values.data()),
+        where_, "read");
+  return values;
 }
 
 void Dataset::set_attribute(std::string_view name, std::string_view value) {

@@ -68,6 +68,8 @@ class Dataset {
     read(values.data(), values.size(), number_of<T>());
     return values;
   }
+  /// Some rows, row after row.
+  std::vector<double> read_rows(std::int64_t first, std::int64_t count) const;
   void set_attribute(std::string_view name, std::string_view value);
   std::string string_attribute(std::string_view name) const;
 

@@ -267,7 +267,7 @@ void write_stl(const std::string& path, const TriangleMesh& mesh) {
   }
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file.flush()) throw OutputError(path + ": cannot be written");
+  if (!file.flush()) throw OutputError(path + ": cannot be written; check the folder and the free space of the disk");
 }
 
 }  // namespace gyro

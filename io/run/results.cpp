@@ -61,10 +61,10 @@ void ResultsFile::sync() {
   sync_file(path_);
 }
 
-ResultsRows ResultsFile::rows() const {
-  ResultsRows rows;
-  for (const auto& [group, table] : tables_) rows[group] = table.rows();
-  return rows;
+ResultsMarks ResultsFile::marks() const {
+  ResultsMarks marks;
+  for (const auto& [group, table] : tables_) marks[group] = table.mark();
+  return marks;
 }
 
 void ResultsFile::close() {

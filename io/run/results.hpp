@@ -23,8 +23,8 @@ struct ResultsContent {
   std::vector<FixedNumbers> fixed;
 };
 
-/// Number of rows of each group of results.h5, such as {"/series", 120}.
-using ResultsRows = std::map<std::string, std::int64_t>;
+/// Rows and digests of each group of results.h5, by its name, such as "/series".
+using ResultsMarks = std::map<std::string, GroupMark>;
 
 /// results.h5 of a run: /case, groups that grow by rows, and datasets that are written once. Rows are written about
 /// every 5 s of wall-clock time and when the file is closed. The file can be read while it grows and after the process
@@ -34,8 +34,8 @@ class ResultsFile {
  public:
   ResultsFile(const std::filesystem::path& path, const ResultsContent& content);
   /// Continues the file of a run after the rows `keep`; later rows are removed. If the process is killed meanwhile, the
-  /// file is unchanged. @throws BadInput for a file with fewer rows or with other content
-  ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep);
+  /// file is unchanged. @throws BadInput for a file with fewer rows, other content, or other numbers in these rows
+  ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsMarks& keep);
   /// Closes the file without reporting failures. Normally close() is called before.
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
@@ -47,7 +47,7 @@ class ResultsFile {
   void flush();
   /// Waits until all rows are on the disk.
   void sync();
-  ResultsRows rows() const;
+  ResultsMarks marks() const;
   /// Writes all waiting rows and closes the file; nothing can be appended afterwards.
   void close();
 

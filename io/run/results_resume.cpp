@@ -30,32 +30,54 @@ bool same_numbers(const std::vector<double>& read, const FixedNumbers& fixed) {
   return std::ranges::equal(read, fixed.numbers, {}, {}, stored);
 }
 
-void require_channels(const std::filesystem::path& path, const hdf5::File& file, const ResultsGroup& group,
-                      const ResultsRows& keep) {
-  for (const Channel& channel : group.channels) {
-    const std::string name = group.name + "/" + channel.name;
-    const auto rows = keep.find(group.name);
-    if (rows == keep.end() || !file.contains(name)) throw refused(path, "has no " + name);
-    const hdf5::Dataset dataset = file.dataset(name);
-    if (dataset.columns() != channel.columns) throw refused(path, "has a different number of columns in " + name);
-    if (dataset.rows() < rows->second)
-      throw refused(
-          path, "has " + std::to_string(dataset.rows()) + " rows of " + name + ", not " + std::to_string(rows->second));
-    // All numbers are read now: after rows are appended, the library would wait for ever for a damaged block.
-    if (dataset.string_attribute("units") != channel.units) throw refused(path, "has another unit of " + name);
-    dataset.read();
+/// Digest of the first rows of a dataset. All rows are read: once rows are appended, the library waits for ever for a
+/// damaged block to become sound.
+RowsDigest digest_of_rows(const hdf5::Dataset& dataset, const Channel& channel, std::int64_t keep) {
+  constexpr std::int64_t numbers_at_once = 1 << 20;
+  const std::int64_t rows_at_once = std::max<std::int64_t>(1, numbers_at_once / channel.columns);
+  RowsDigest digest(channel.number);
+  for (std::int64_t row = 0, end = 0; row < dataset.rows(); row = end) {
+    end = std::min(row + rows_at_once, row < keep ? keep : dataset.rows());
+    const std::vector<double> numbers = dataset.read_rows(row, end - row);
+    if (row < keep) digest.add(numbers);
   }
+  return digest;
 }
 
-/// @throws BadInput unless a file has the groups of the content, with the rows to keep and without other datasets
-void require_rows(const std::filesystem::path& path, const hdf5::File& file, const ResultsContent& content,
-                  const ResultsRows& keep) {
+/// @returns the digest of the rows to keep
+RowsDigest require_channel(const std::filesystem::path& path, const hdf5::File& file, const std::string& name,
+                           const Channel& channel, const GroupMark& keep) {
+  const auto digest = keep.digests.find(channel.name);
+  if (digest == keep.digests.end() || !file.contains(name)) throw refused(path, "has no " + name);
+  const hdf5::Dataset dataset = file.dataset(name);
+  if (dataset.columns() != channel.columns || dataset.number() != channel.number)
+    throw refused(path, "has a different form of " + name);
+  if (dataset.rows() < keep.rows)
+    throw refused(path,
+                  "has " + std::to_string(dataset.rows()) + " rows of " + name + ", not " + std::to_string(keep.rows));
+  if (dataset.string_attribute("units") != channel.units) throw refused(path, "has another unit of " + name);
+  RowsDigest found = digest_of_rows(dataset, channel, keep.rows);
+  if (found.hex() != digest->second)
+    throw refused(path, "is damaged: the numbers of " + name + " are not those that the run wrote");
+  return found;
+}
+
+using Digests = std::map<std::string, std::vector<RowsDigest>>;  ///< by group, one a channel
+
+/// @throws BadInput unless a file has the groups of a content, with the rows to keep, and no other datasets in them
+Digests require_rows(const std::filesystem::path& path, const hdf5::File& file, const ResultsContent& content,
+                     const ResultsMarks& keep) {
+  Digests digests;
   for (const ResultsGroup& group : content.groups) {
-    require_channels(path, file, group, keep);
+    const auto mark = keep.find(group.name);
+    for (const Channel& channel : group.channels)
+      digests[group.name].push_back(require_channel(path, file, group.name + "/" + channel.name, channel,
+                                                    mark == keep.end() ? GroupMark{} : mark->second));
     for (const std::string& child : file.children(group.name))
       if (!is_in(content, group, child))
         throw refused(path, "has " + group.name + "/" + child + ", which this run does not write");
   }
+  return digests;
 }
 
 /// @throws BadInput unless a file has the same numbers in the datasets that are written once
@@ -65,12 +87,12 @@ void require_fixed(const std::filesystem::path& path, const hdf5::File& file, co
       throw refused(path, "has different numbers in " + fixed.name);
 }
 
-/// Removes all rows after those to keep.
-void shorten(hdf5::File& file, const ResultsContent& content, const ResultsRows& keep) {
+/// Drops all rows behind those to keep.
+void shorten(hdf5::File& file, const ResultsContent& content, const ResultsMarks& keep) {
   for (const ResultsGroup& group : content.groups)
     for (const Channel& channel : group.channels) {
       hdf5::Dataset dataset = file.dataset(group.name + "/" + channel.name);
-      if (dataset.rows() > keep.at(group.name)) dataset.truncate(keep.at(group.name));
+      if (dataset.rows() > keep.at(group.name).rows) dataset.truncate(keep.at(group.name).rows);
     }
 }
 
@@ -81,14 +103,19 @@ void copy_results(const std::filesystem::path& path, const std::filesystem::path
   if (error) throw OutputError(path.string() + ": cannot copy: " + error.message());
 }
 
-/// Opens the copy of a results file for changes. @throws BadInput for a damaged file, or one without the rows to keep
-hdf5::File open_copy(const std::filesystem::path& path, const std::filesystem::path& copy,
-                     const ResultsContent& content, const ResultsRows& keep) {
+struct OpenCopy {
+  hdf5::File file;
+  Digests digests;
+};
+
+/// Opens the copy of a results file to change it. @throws BadInput for a damaged file, or one without the rows to keep
+OpenCopy open_copy(const std::filesystem::path& path, const std::filesystem::path& copy, const ResultsContent& content,
+                   const ResultsMarks& keep) {
   try {
-    hdf5::File file = hdf5::File::modify(copy, path);
-    require_rows(path, file, content, keep);
-    require_fixed(path, file, content);
-    return file;
+    OpenCopy open{hdf5::File::modify(copy, path), {}};
+    open.digests = require_rows(path, open.file, content, keep);
+    require_fixed(path, open.file, content);
+    return open;
   } catch (const OutputError& problem) {
     throw refused(path, std::string("is damaged (") + problem.what() + ")");
   }
@@ -96,18 +123,20 @@ hdf5::File open_copy(const std::filesystem::path& path, const std::filesystem::p
 
 }  // namespace
 
-// All changes are made to a copy, which replaces the file when it is ready for new rows. If the process is killed at
-// any time, either the old or the new file remains.
-ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsRows& keep)
+// All changes are made to a copy, which takes the file's place when it is ready for new rows: a kill at any moment
+// leaves one file or the other.
+ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent& content, const ResultsMarks& keep)
     : path_(path), last_flush_(std::chrono::steady_clock::now()) {
   const std::filesystem::path copy = path.string() + ".tmp";
   try {
     copy_results(path, copy);
-    file_ = open_copy(path, copy, content, keep);
+    OpenCopy open = open_copy(path, copy, content, keep);
+    file_ = std::move(open.file);
     shorten(*file_, content, keep);
     write_record(*file_, content.record);
     for (const ResultsGroup& group : content.groups)
-      tables_.emplace(group.name, ResultsTable(*file_, group, keep.at(group.name)));
+      tables_.emplace(group.name,
+                      ResultsTable(*file_, group, keep.at(group.name).rows, std::move(open.digests.at(group.name))));
     file_->start_appending();
     put_in_place(path);
   } catch (...) {

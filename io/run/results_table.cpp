@@ -51,11 +51,17 @@ ResultsTable::ResultsTable(hdf5::File& file, const ResultsGroup& group)
   for (const Channel& channel : group_.channels) {
     datasets_.push_back(file.create_dataset(path_of(group_, channel), layout_of(channel)));
     describe_dataset(datasets_.back(), channel);
+    digests_.emplace_back(channel.number);
   }
 }
 
-ResultsTable::ResultsTable(const hdf5::File& file, const ResultsGroup& group, std::int64_t rows)
-    : group_(group), waiting_(group.channels.size()), row_length_(row_length(group)), rows_(rows) {
+ResultsTable::ResultsTable(const hdf5::File& file, const ResultsGroup& group, std::int64_t rows,
+                           std::vector<RowsDigest> digests)
+    : group_(group),
+      digests_(std::move(digests)),
+      waiting_(group.channels.size()),
+      row_length_(row_length(group)),
+      rows_(rows) {
   for (const Channel& channel : group_.channels) datasets_.push_back(file.dataset(path_of(group_, channel)));
 }
 
@@ -67,6 +73,7 @@ void ResultsTable::append(std::span<const double> row) {
   for (std::size_t c = 0; c < group_.channels.size(); ++c) {
     const auto part = row.subspan(begin, static_cast<std::size_t>(group_.channels[c].columns));
     waiting_[c].insert(waiting_[c].end(), part.begin(), part.end());
+    digests_[c].add(part);
     begin += part.size();
   }
   ++waiting_rows_;
@@ -81,6 +88,12 @@ void ResultsTable::flush() {
     waiting_[c].clear();
   }
   waiting_rows_ = 0;
+}
+
+GroupMark ResultsTable::mark() const {
+  GroupMark mark{.rows = rows_, .digests = {}};
+  for (std::size_t c = 0; c < digests_.size(); ++c) mark.digests[group_.channels[c].name] = digests_[c].hex();
+  return mark;
 }
 
 }  // namespace gyro

@@ -132,10 +132,6 @@ void require_dead(const fs::path& path, const Holder& holder, Locked locked, Loc
   if (alive) refuse(path, holder);
 }
 
-}  // namespace
-
-namespace {
-
 /// The file run.lock, open and locked, with this process as its holder.
 class LockFile {
  public:

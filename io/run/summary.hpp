@@ -72,12 +72,12 @@ struct Summary {
   std::string title = {}, version = {}, git_hash = {}, device = {}, precision = {};
   int threads = 0;
   double simulated_seconds = 0, wall_seconds = 0;
-  std::int64_t particle_steps = 0;  ///< particles in the scene, summed over steps
-  std::int64_t bond_steps = 0;      ///< intact bonds, summed over sub-steps
-  double time_step = 0;             ///< [s]
-  double time_step_limit = 0;       ///< stability limit before the safety factor [s]
-  std::int64_t particles = 0;       ///< in the scene at the end
-  std::int64_t bonds_initial = 0, bonds_broken = 0;
+  std::optional<std::int64_t> particle_steps = {};  ///< particles in the scene, summed over steps
+  std::optional<std::int64_t> bond_steps = {};      ///< intact bonds, summed over sub-steps
+  double time_step = 0;                             ///< [s]
+  double time_step_limit = 0;                       ///< stability limit before the safety factor [s]
+  std::optional<std::int64_t> particles = {};       ///< in the scene at the end
+  std::optional<std::int64_t> bonds_initial = {}, bonds_broken = {};
   std::optional<double> feed_mass = {}, discharged_mass = {};  ///< [kg]
   std::optional<double> escaped_mass = {};                     ///< left over the rim; not a part of the product [kg]
   std::optional<double> escaped_fraction = {};                 ///< of the mass fed or present at the start [-]
@@ -95,7 +95,7 @@ struct Summary {
   std::optional<double> momentum_residual_fraction = {};       ///< residual / impulses of walls and gravity
   std::optional<double> mass_residual_fraction = {};           ///< from particle counts
   std::optional<double> max_overlap_ratio = {};                ///< largest contact overlap / radius at window ends
-  bool stalled = false;
+  std::optional<bool> stalled = {};
   std::optional<bool> choked = {};             ///< more rock waits for room than one gyration feeds
   std::optional<double> holdup_mass = {};      ///< at the end [kg]
   std::optional<SteadyFigures> steady = {};    ///< of the steady part of the run

@@ -160,16 +160,18 @@ std::string drive_event_lines(const Summary& s) {
 }
 
 std::string particles_line(const Summary& s) {
-  return line("particles", std::to_string(s.particles) + " at the end" +
-                               speed(static_cast<double>(s.particle_steps), s.wall_seconds, "particle-steps"));
+  if (!s.particles) return {};
+  return line("particles",
+              std::to_string(*s.particles) + " at the end" +
+                  speed(static_cast<double>(s.particle_steps.value_or(0)), s.wall_seconds, "particle-steps"));
 }
 
 std::string bonds_line(const Summary& s) {
-  if (s.bonds_initial <= 0) return {};
-  const double share = 100.0 * static_cast<double>(s.bonds_broken) / static_cast<double>(s.bonds_initial);
-  return line("bonds", std::to_string(s.bonds_broken) + " of " + std::to_string(s.bonds_initial) +
+  if (!s.bonds_broken || s.bonds_initial.value_or(0) <= 0) return {};
+  const double share = 100.0 * static_cast<double>(*s.bonds_broken) / static_cast<double>(*s.bonds_initial);
+  return line("bonds", std::to_string(*s.bonds_broken) + " of " + std::to_string(*s.bonds_initial) +
                            format(" broken (%.3g %%)", share) +
-                           speed(static_cast<double>(s.bond_steps), s.wall_seconds, "bond-steps"));
+                           speed(static_cast<double>(s.bond_steps.value_or(0)), s.wall_seconds, "bond-steps"));
 }
 
 std::string time_step_line(const Summary& s) {

@@ -9,7 +9,7 @@ namespace {
 constexpr const char* with_feed = "with a feed";
 constexpr const char* with_crusher = "with a crusher";
 constexpr const char* with_product = "with a crusher that has discharged";
-constexpr const char* at_end = "unless the run failed";
+constexpr const char* unless_unknown = "unless a failed run no longer knows it";
 
 }  // namespace
 
@@ -146,7 +146,8 @@ const std::vector<Figure<Summary>>& summary_figures() {
       {.name = "stalled",
        .units = "-",
        .value = field<&Summary::stalled>,
-       .description = "whether the rock stopped the forward motion of the drive"},
+       .description = "whether the rock stopped the forward motion of the drive",
+       .when = unless_unknown},
       {.name = "holdup_mass",
        .units = "kg",
        .value = field<&Summary::holdup_mass>,
@@ -170,24 +171,29 @@ const std::vector<Figure<Summary>>& summary_figures() {
        .units = "1",
        .value = field<&Summary::particles>,
        .description = "particles in the scene at the end",
+       .when = unless_unknown,
        .line = particles_line},
       {.name = "particle_steps",
        .units = "1",
        .value = field<&Summary::particle_steps>,
-       .description = "particles in the scene, summed over the steps"},
+       .description = "particles in the scene, summed over the steps",
+       .when = unless_unknown},
       {.name = "bonds_initial",
        .units = "1",
        .value = field<&Summary::bonds_initial>,
        .description = "bonds of all rock that was inserted",
+       .when = unless_unknown,
        .line = bonds_line},
       {.name = "bonds_broken",
        .units = "1",
        .value = field<&Summary::bonds_broken>,
-       .description = "bonds that failed"},
+       .description = "bonds that failed",
+       .when = unless_unknown},
       {.name = "bond_steps",
        .units = "1",
        .value = field<&Summary::bond_steps>,
-       .description = "intact bonds, summed over the sub-steps"},
+       .description = "intact bonds, summed over the sub-steps",
+       .when = unless_unknown},
       {.name = "time_step",
        .units = "s",
        .value = field<&Summary::time_step>,
@@ -203,7 +209,7 @@ const std::vector<Figure<Summary>>& summary_figures() {
        .description = "energy residual / the larger of the work done by walls and gravity and the largest kinetic + "
                       "elastic energy so "
                       "far; the guard uses the same scale",
-       .when = at_end,
+       .when = unless_unknown,
        .line =
            [](const Summary& s) {
              return number_line("energy residual", s.energy_residual_fraction, 1, " of the work or the largest energy",
@@ -213,7 +219,7 @@ const std::vector<Figure<Summary>>& summary_figures() {
        .units = "1",
        .value = field<&Summary::momentum_residual_fraction>,
        .description = "momentum residual / impulses of walls and gravity",
-       .when = at_end,
+       .when = unless_unknown,
        .line =
            [](const Summary& s) {
              return number_line("momentum residual", s.momentum_residual_fraction, 1, " of the impulses", 2);
@@ -222,13 +228,13 @@ const std::vector<Figure<Summary>>& summary_figures() {
        .units = "1",
        .value = field<&Summary::mass_residual_fraction>,
        .description = "(particles fed - discharged - escaped - inside) / particles fed",
-       .when = at_end,
+       .when = unless_unknown,
        .line = [](const Summary& s) { return number_line("mass residual", s.mass_residual_fraction, 1, "", 2); }},
       {.name = "max_overlap_ratio",
        .units = "1",
        .value = field<&Summary::max_overlap_ratio>,
        .description = "largest overlap of a contact / smaller radius at the ends of windows",
-       .when = at_end,
+       .when = unless_unknown,
        .line =
            [](const Summary& s) {
              return number_line("largest overlap", s.max_overlap_ratio, 1, " of the radius", 2);

@@ -223,6 +223,9 @@ const std::vector<Key> wall_keys = {
     {.path = "crusher.removal_depth", .type = quantity, .dimension = length, .range = positive,
      .doc = "Depth below the discharge plane at which discharged fragments are removed; by default they are removed as soon as "
             "they can no longer touch anything."},
+    {.path = "crusher.lid", .type = quantity, .dimension = length, .range = positive,
+     .doc = "Height z of a lid: the wall `lid`, a cylinder on the rim of the concave with a plate at this height, of the concave's "
+            "material. No rock leaves over the rim then; all rock must appear below the lid."},
 };
 
 const std::vector<Key> run_keys = {

@@ -123,3 +123,27 @@ TEST_CASE("Absurd lengths, tiny restitutions and impossible names are refused wi
   }
   CHECK(place.gyrosim("run " + quickstart + " --out " + std::string(5000, '/')).code == 2);
 }
+
+TEST_CASE("A case that exceeds ulimit -v is refused with this limit") {
+  const Workplace place;
+  const Outcome outcome =
+      place.shell("ulimit -v 8000000; $GYROSIM check " + quickstart + " --set feed.initial='400 t'");
+  INFO(outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK_THAT(outcome.err, Contains("ulimit -v"));
+}
+
+TEST_CASE("check says the most memory that a feed by rate can need, with the bonds of what is fed") {
+  const Workplace place;
+  const std::string call = "check " + quickstart + " --set feed.rate='1 kg/s' --set time.duration='1000 s'";
+  const Outcome outcome = place.gyrosim(call + " --json");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const nlohmann::json found = nlohmann::json::parse(outcome.out);
+  CHECK(found["bytes_free"] > 0);
+  const double start = found["particles"], fed = found["particles_at_end"].get<double>() - start;
+  const double bytes_at_start = found["bytes_at_start"], bytes_fed = found["bytes"].get<double>() - bytes_at_start;
+  CHECK(fed > 1e5);
+  CHECK(bytes_fed / fed == Approx(bytes_at_start / start).epsilon(0.05));
+  CHECK_THAT(place.gyrosim(call).out, Contains(" if all the feed finds room and nothing is discharged, "));
+}

@@ -30,7 +30,7 @@ class LaboratoryScriptTest(unittest.TestCase):
         self.refused("'nan' is not a number above 0", "fit", "--ucs", "nan")
         self.refused("'0' is not a whole number", "measure", PLATEN, "--seeds", "0")
         self.refused("'1.5' is not a whole number", "fit", "--ucs", "5", "--rounds", "1.5")
-        self.refused("'x' sets nothing", "measure", PLATEN, "--set", "x")
+        self.refused("'x' is not an override", "measure", PLATEN, "--set", "x")
         self.refused("there is no program", "fit", "--ucs", "5", program="/no/such/gyrosim")
 
     def test_standard_error_says_how_many_runs_are_done(self):

@@ -51,7 +51,7 @@ TEST_CASE("Maps of the liners are in results.h5 if the case asks for them, and a
   CHECK(file.dataset("/series/wall_force_concave").columns() == 3);
   const Outcome exported = place.gyrosim("export csv maps --table liners/mantle");
   CHECK(exported.code == 2);
-  CHECK(exported.err.starts_with("maps has no table liners/mantle; it has breakage, "));
+  CHECK(exported.err.starts_with("maps has no table liners/mantle; it has breakage, fragments, "));
 }
 
 TEST_CASE("A run during start-up is reported as one, and the motor's figures are those of its rows") {
@@ -185,9 +185,12 @@ TEST_CASE("export csv writes every table, curves with the size of each sieve in 
   CHECK(first_line("product").find(",passing_1000mm,") != std::string::npos);
   CHECK(first_line("breakage").starts_with("time_s,energy_J,"));
   CHECK(first_line("ledger").starts_with("time_s,"));
-  const Outcome wrong = place.gyrosim("export csv run --table fragments");
+  CHECK(first_line("fragments") ==
+        "time_s,id,mass_kg,particles,place,position_x_m,position_y_m,position_z_m,rock,size_m");
+  const Outcome wrong = place.gyrosim("export csv run --table pieces");
   CHECK(wrong.code == 2);
-  CHECK(wrong.err == "run has no table fragments; it has breakage, holdup, ledger, performance, product, series\n");
+  CHECK(wrong.err ==
+        "run has no table pieces; it has breakage, fragments, holdup, ledger, performance, product, series\n");
   for (const std::string inner : {"/", "", "series/", "/series", "liners/mantle", "../run"})
     CHECK(place.gyrosim("export csv run --table '" + inner + "'").code == 2);
 }

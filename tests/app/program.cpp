@@ -73,7 +73,7 @@ std::vector<std::string> results_in(const fs::path& run, const std::string& grou
 
 std::vector<std::pair<std::string, std::vector<double>>> all_results(const fs::path& run) {
   std::vector<std::pair<std::string, std::vector<double>>> found;
-  for (const std::string group : {"series", "ledger", "breakage", "product", "holdup"})
+  for (const std::string group : {"series", "ledger", "breakage", "fragments", "product", "holdup"})
     for (const std::string& name : results_in(run, group)) {
       if (name == "wall_seconds") continue;
       std::vector<double> values = result_of(run, group + "/" + name);

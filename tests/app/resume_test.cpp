@@ -3,6 +3,8 @@
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <fstream>
 
 namespace {
@@ -224,4 +226,99 @@ TEST_CASE("A run that was killed before its first checkpoint starts from the beg
   CHECK_THAT(again.err, Contains("holds no checkpoint yet"));
   REQUIRE(place.gyrosim(bounce + "--out whole").code == 0);
   require_same_results(place.path() / "whole", place.path() / "r");
+}
+
+namespace {
+
+/// Flips a bit of the number in a file that these bytes are.
+void damage(const fs::path& file, const void* number, std::size_t size) {
+  std::string bytes = read_text(file);
+  const std::size_t at = bytes.rfind(std::string(static_cast<const char*>(number), size));
+  REQUIRE(at != std::string::npos);
+  bytes[at] = static_cast<char>(bytes[at] ^ 4);
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+}  // namespace
+
+TEST_CASE("A damaged block of a table or of a liner map is not resumed, and is named") {
+  const Workplace place;
+  const std::string run = crush + "--set 'output.liners={interval: 7 ms, rows: 40, sectors: 60}' --out r ";
+  REQUIRE(place.gyrosim(run + "--until '40 ms'").code == 0);
+  const fs::path results = place.path() / "r/results.h5";
+  const std::string whole = read_text(results);
+  const auto refused = [&](const std::string& dataset) {
+    const std::string damaged = read_text(results);
+    const Outcome outcome = place.gyrosim(run + "--resume --until '50 ms'");
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, Contains("results.h5: is damaged: the numbers of " + dataset + " are not those"));
+    CHECK(read_text(results) == damaged);
+    std::ofstream(results, std::ios::binary) << whole;
+  };
+  const double power = result_of(place.path() / "r", "series/crushing_power").at(5);
+  damage(results, &power, sizeof power);
+  refused("/series/crushing_power");
+  const std::vector<double> map = result_of(place.path() / "r", "liners/mantle/pressure");
+  const auto largest = static_cast<float>(*std::max_element(map.begin(), map.end()));
+  damage(results, &largest, sizeof largest);
+  refused("/liners/mantle/pressure");
+  CHECK(place.gyrosim(run + "--resume --until '50 ms'").code == 0);
+}
+
+TEST_CASE("A resumed run that is killed or fails reports its figures, not zeros") {
+  const Workplace place;
+  const std::string run = crush + "--set 'output.liners={interval: 1 ms, rows: 40, sectors: 60}' --out r ";
+  REQUIRE(place.gyrosim(run + "--until '40 ms'").code == 0);
+  const nlohmann::json before = summary_of(place.path() / "r");
+  REQUIRE(before["bonds_broken"] > 0);
+  const bool by_kill = GENERATE(true, false);
+  if (by_kill) {
+    for (double seconds = 0.2; summary_of(place.path() / "r")["status"] == "done" && seconds < 60; seconds *= 2)
+      REQUIRE(place.gyrosim_with_signal(run + "--resume --until '1 h'", "KILL", seconds).code == 137);
+  } else {
+    const auto size = fs::file_size(place.path() / "r/results.h5");
+    const std::string flushed = run + "--set 'output.checkpoints=0.5 s' --resume --until '10 s'";
+    REQUIRE(place.gyrosim_with_file_limit(flushed, size + 100000).code == 5);
+  }
+  const nlohmann::json after = summary_of(place.path() / "r");
+  CHECK(after["status"] == (by_kill ? "interrupted" : "failed"));
+  for (const char* figure : {"particles", "particle_steps", "bonds_initial", "bonds_broken", "bond_steps", "feed_mass",
+                             "discharged_mass", "simulated_seconds"}) {
+    INFO(figure);
+    if (by_kill)
+      CHECK(after[figure] == before[figure]);  // of the checkpoint
+    else
+      CHECK(after[figure] >= before[figure]);
+  }
+  const Outcome report = place.gyrosim("report r");
+  CHECK(report.code == 0);
+  CHECK_THAT(report.out,
+             Contains("particles         " + std::to_string(after["particles"].get<int>()) + " at the end"));
+}
+
+TEST_CASE("A signal or --max-walltime ends a run inside a window that takes long, and it goes on from its begin") {
+  const bool by_signal = GENERATE(true, false);
+  const Workplace place;
+  const std::string run = box +
+                          "--set 'time.duration=20 s' --set 'coupling.interval=10 s' --set 'output.series=10 s' " +
+                          "--set 'output.snapshots=0 s' --out r ";
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome stopped =
+      by_signal ? place.gyrosim_with_signal(run, "TERM", 1.5) : place.gyrosim(run + "--max-walltime '1 s'");
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  INFO(stopped.err);
+  CHECK(stopped.code == 75);
+  CHECK(passed.count() < 10);
+  const nlohmann::json summary = summary_of(place.path() / "r");
+  CHECK(summary["status"] == "interrupted");
+  CHECK(summary["simulated_seconds"] == 0);
+  CHECK(summary["particles"] > 0);
+  CHECK_THAT(summary["reason"].get<std::string>(),
+             Contains(by_signal ? "a signal asked to stop" : "--max-walltime is over") &&
+                 Contains("; the coupling window from t = 0 s on was given up after ") &&
+                 Contains("coupling.interval"));
+  CHECK(result_of(place.path() / "r", "series/time").empty());
+  CHECK(place.gyrosim(run + "--resume --max-walltime '0.5 s'").code == 75);
+  CHECK_THAT(read_text(place.path() / "r/log.txt"), Contains("resumed at t = 0.000000 s"));
 }

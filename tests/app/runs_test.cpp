@@ -26,6 +26,37 @@ fs::path done(const Workplace& place, const std::string& arguments, const std::s
   return place.path() / name;
 }
 
+/// The fragments of a run add up to its masses, and those that left are those of the product.
+void require_fragments(const fs::path& run) {
+  const json summary = summary_of(run);
+  const auto of = [&](const std::string& column) { return result_of(run, "fragments/" + column); };
+  const std::vector<double> place = of("place"), mass = of("mass"), time = of("time"), size = of("size"),
+                            particles = of("particles"), sieves = result_of(run, "product/sizes");
+  double inside = 0, discharged = 0, singles = 0, remaining = 0;
+  std::vector<double> fine(sieves.size());
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    if (place[k] == 0) {
+      CHECK(time[k] == Approx(summary["simulated_seconds"].get<double>()));
+      inside += mass[k];
+      ++remaining;
+      continue;
+    }
+    discharged += mass[k];
+    if (particles[k] == 1) singles += mass[k];
+    for (std::size_t s = 0; s < sieves.size(); ++s)
+      if (size[k] <= sieves[s]) fine[s] += mass[k];
+  }
+  CHECK(std::is_sorted(time.begin(), time.end()));
+  REQUIRE(discharged > 0);
+  CHECK(discharged == Approx(summary["discharged_mass"].get<double>()));
+  CHECK(inside == Approx(summary["holdup_mass"].get<double>()));
+  CHECK(singles / discharged == Approx(summary["singles_share"].get<double>()));
+  CHECK(remaining == result_of(run, "holdup/fragments").back());
+  const std::vector<double> passing = result_of(run, "product/passing");
+  for (std::size_t s = 0; s < sieves.size(); ++s)
+    CHECK(fine[s] / discharged == Approx(passing[passing.size() - sieves.size() + s]).margin(1e-12));
+}
+
 }  // namespace
 
 TEST_CASE("One and two threads give the same numbers, and another seed gives others") {
@@ -90,6 +121,7 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
   CHECK(result_of(run, "holdup/mass").back() == Approx(fed - discharged));
   CHECK(result_of(run, "holdup/fragments").back() + result_of(run, "product/fragments").back() ==
         result_of(run, "series/fragments").back());
+  require_fragments(run);
   CHECK(result_of(run, "holdup/p80").front() > result_of(run, "holdup/p80").back());
   for (const std::string curve : {"product", "holdup"})
     CHECK(result_of(run, curve + "/below_oss").back() >= result_of(run, curve + "/below_css").back());
@@ -103,8 +135,7 @@ TEST_CASE("A crusher's run has every series, and its summary agrees with them") 
         Approx(std::accumulate(power.begin(), power.end(), 0.0) / 120).epsilon(1e-9));
   CHECK(result_of(run, "ledger/wall_work").back() ==
         Approx(0.06 * summary["mean_crushing_power"].get<double>()).epsilon(1e-3));
-  CHECK(fs::exists(run / "snapshots/particles_000000.vtp"));
-  CHECK(fs::exists(run / "snapshots/bonds_000006.vtp"));
+  for (const char* name : {"particles_000000.vtp", "bonds_000006.vtp"}) CHECK(fs::exists(run / "snapshots" / name));
 }
 
 TEST_CASE("A scene without bonds, feed, crusher and drive has no output of them") {
@@ -114,6 +145,9 @@ TEST_CASE("A scene without bonds, feed, crusher and drive has no output of them"
                                                               "wall_force_back", "wall_force_floor", "wall_force_front",
                                                               "wall_force_left", "wall_force_right", "wall_seconds"});
   for (const std::string group : {"breakage", "product", "holdup", "liners"}) CHECK(results_in(run, group).empty());
+  CHECK(result_of(run, "fragments/time") == std::vector<double>(300, result_of(run, "series/time").back()));
+  CHECK(result_of(run, "fragments/place") == std::vector<double>(300, 0.0));
+  CHECK(result_of(run, "fragments/position").size() == 900);
   const json summary = summary_of(run);
   CHECK(summary["particles"] == 300);
   CHECK(summary["bonds_initial"] == 0);

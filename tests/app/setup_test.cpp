@@ -2,6 +2,7 @@
 // The coupled run as a library: setups filled by hand, without a case file.
 #include "app/simulation/simulation.hpp"
 #include "app/simulation/time_step.hpp"
+#include "core/base/errors.hpp"
 #include "core/dem/make_dem.hpp"
 #include "core/rocks/library.hpp"
 #include "mbd/drivetrain.hpp"
@@ -280,4 +281,36 @@ TEST_CASE("A given step must be below its limit", "[simulation]") {
   CHECK_THROWS_WITH(set_step(setup, {.step = 0.71 * limit}), Catch::Matchers::Contains("of the stability limit"));
   setup.scene.substeps = 1000;
   CHECK_THROWS_WITH(set_step(setup), Catch::Matchers::Contains("sub-steps would hold contact forces"));
+}
+
+TEST_CASE("A window that is given up never was, and the run goes on from the saved state with the same bits",
+          "[simulation]") {
+  Setup setup = dropped_rock(0.06);
+  const auto make = [&](const SavedState* saved) {
+    return std::make_unique<Simulation>(setup, make_cpu_dem(setup.scene, Precision::mixed, 1),
+                                        std::optional<Drivetrain>(), saved);
+  };
+  const std::unique_ptr<Simulation> whole = make(nullptr);
+  for (int k = 0; k < 10; ++k) whole->advance();
+  std::unique_ptr<Simulation> run = make(nullptr);
+  for (int k = 0; k < 5; ++k) run->advance();
+  const SavedState saved = run->save();
+  const double time = run->time();
+  const std::int64_t steps = run->dem().counts().particle_steps;
+  std::vector<double> shares;
+  run->give_up_windows_when([&](double share) {
+    shares.push_back(share);
+    return share >= 0.5;
+  });
+  CHECK_THROWS_AS(run->advance(), WindowGivenUp);
+  CHECK(shares.front() == 0);
+  CHECK(shares.back() == Approx(0.5).margin(1.0 / setup.steps_per_window));
+  CHECK(run->time() == time);
+  CHECK(run->dem().counts().particle_steps == steps);
+  run = make(&saved);
+  run->give_up_windows_when([](double) { return false; });
+  for (int k = 0; k < 5; ++k) run->advance();
+  const ParticleSnapshot a = whole->dem().particles(), b = run->dem().particles();
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) CHECK(a.position[k].z == b.position[k].z);
 }

@@ -124,6 +124,7 @@ TEST_CASE("The tables of results.h5 have no column twice, and every column has t
   require_sound(ledger_table());
   require_sound(performance_table());
   require_sound(breakage_table());
+  require_sound(fragments_table());
   require_sound(product_table());
   require_sound(holdup_table());
   require_sound(liner_cells_table());

@@ -106,6 +106,7 @@ std::vector<OutputGroup> output_reference() {
           group_of(ledger_table()),
           group_of(performance_table()),
           group_of(breakage_table()),
+          group_of(fragments_table()),
           with_fixed(group_of(product_table()), product_sieves()),
           with_fixed(group_of(holdup_table()), holdup_sieves()),
           with_fixed(group_of(liner_cells_table()), liner_shape_table()),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/output/tables/column.hpp"
+#include "core/fragments/fragment_record.hpp"
 #include "core/fragments/sieve_curve.hpp"
 #include "core/scene/accounts.hpp"
 #include "mbd/drivetrain.hpp"
@@ -55,6 +56,9 @@ const Table<PerformanceReading>& performance_table();
 
 /// A broken bond is a row of /breakage.
 const Table<Breakage>& breakage_table();
+
+/// A fragment that has left, or that is there at the end, is a row of /fragments.
+const Table<FragmentRecord>& fragments_table();
 
 /// A sieve curve with the settings at which it is read.
 struct CurveReading {

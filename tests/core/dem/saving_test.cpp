@@ -25,6 +25,7 @@ class Restarting final : public Dem {
     dem_->restore(saved);
     dem_->advance(window, path);
   }
+  void give_up_when(GiveUp condition) override { dem_->give_up_when(std::move(condition)); }
   void insert(std::span<const NewRock> rocks) override { dem_->insert(rocks); }
   void remove(std::span<const ParticleId> ids) override { dem_->remove(ids); }
   std::vector<WallPose> wall_poses() const override { return dem_->wall_poses(); }

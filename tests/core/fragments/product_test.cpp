@@ -128,6 +128,28 @@ TEST_CASE("Rock outside the concave below its rim has escaped and is not counted
   CHECK(product.removable(fragment_table(p), p, 0).size() == 8);
 }
 
+TEST_CASE("An update tells which fragments have left, and each of them once", "[product]") {
+  const ConcaveOutline concave({{0.2, 0.3}, {0.1, 0.0}});
+  ParticleSnapshot p;
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {0, 0, 0.15});              // 0: in the chamber
+  add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {0.16, 0, 0.15});           // 1: outside
+  add_fragment(p, block(1, 1, 2, 0.01), 0.01, rock_density, {0.05, 0, -0.1});  // 2, 3: below
+  Product product(rock_density, concave);
+  const FragmentTable table = fragment_table(p);
+  const std::vector<FragmentRecord> left = product.update(table, p);
+  REQUIRE(left.size() == 2);
+  CHECK(left[0].id == 1);
+  CHECK(left[0].place == Product::escaped);
+  CHECK(left[1].id == 2);
+  CHECK(left[1].place == Product::discharged);
+  CHECK(left[1].particles == 2);
+  CHECK(left[1].mass == p.mass[2] + p.mass[3]);
+  CHECK(left[1].size == sieve_size(table, 2, p, rock_density));
+  CHECK(left[1].position.x == Approx(0.05));
+  CHECK(left[1].rock == p.rock[2]);
+  CHECK(product.update(table, p).empty());
+}
+
 TEST_CASE("Without a concave all rock that falls below the plane is product", "[product]") {
   ParticleSnapshot p;
   add_fragment(p, {{0, 0, 0}}, 0.01, rock_density, {5, 0, -1});

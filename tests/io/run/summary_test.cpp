@@ -50,7 +50,11 @@ TEST_CASE("The summary contains all its members, and undefined ones are null") {
   CHECK(json["p80"] == 0.1);
   CHECK(json["throughput_tph"].is_null());
   CHECK(json["specific_energy_kwh_per_t"].is_null());
-  CHECK(json["stalled"] == false);
+  for (const char* name : {"stalled", "particles", "bond_steps", "bonds_initial", "bonds_broken"}) {
+    CAPTURE(name);
+    CHECK(json[name].is_null());  // nobody has said it
+  }
+  CHECK_THAT(to_text(summary, "out"), !Contains("particles"));
 }
 
 TEST_CASE("A summary is found in a directory, and other files are not taken for one") {
@@ -73,6 +77,7 @@ TEST_CASE("The text shows only what applies to the run, and fits on a screen") {
   summary.title = "Quickstart";
   summary.simulated_seconds = 2;
   summary.wall_seconds = 200;
+  summary.particles = 12;
   summary.particle_steps = 1000000000;
   const std::string plain = to_text(summary, "runs/quickstart-001");
   CHECK_THAT(plain, Contains("Quickstart: done, 2 s simulated in 3 min 20 s"));

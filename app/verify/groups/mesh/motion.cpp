@@ -74,7 +74,7 @@ void belt(Recorder& out) {
 /// In each step the tangential spring of a held sphere grows with the velocity of the disc below it.
 void disc_under_a_held_sphere(Recorder& out) {
   const double angular_velocity = 10, deep = 1e-4, dt = 1e-7;
-  const Vec3d axis = 1 / std::sqrt(3.0) * Vec3d{0, 0, std::sqrt(3.0)}, point{0.1, 0.2, 0}, foot{0.35, -0.1, 0};
+  const Vec3d axis{0, 0, 1}, point{0.1, 0.2, 0}, foot{0.35, -0.1, 0};
   Scene scene = scene_of(rock, rigid(), {10, 1, 0}, dt);
   scene.walls = {floor_mesh(3)};
   scene.walls[0].motion = RotationMotion{axis, point, angular_velocity};

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output/tables/tables.hpp"
+
+namespace gyro {
+
+const Table<FragmentRecord>& fragments_table() {
+  using hdf5::Number;
+  using Row = FragmentRecord;
+  static const Table<FragmentRecord> table{
+      .group = "/fragments",
+      .rows =
+          "one row for each fragment: of those that left the chamber when an inspection found it, in the order of "
+          "time, and of all others at the end of the run. A single particle is a fragment too; masses of the rows add "
+          "up to all rock",
+      .presence = always,
+      .columns = {
+          {.name = "time",
+           .units = "s",
+           .value = [](const Row& r) { return r.time; },
+           .description = "simulated time at which the fragment had left, or the end of the run"},
+          {.name = "place",
+           .units = "1",
+           .value = [](const Row& r) { return static_cast<std::int64_t>(r.place); },
+           .description = "where it is: 0 in the chamber or scene, 1 discharged, 2 escaped over the rim",
+           .number = Number::uint8},
+          {.name = "id",
+           .units = "1",
+           .value = [](const Row& r) { return static_cast<std::int64_t>(r.id); },
+           .description = "number of the fragment: the lowest id of its particles",
+           .number = Number::uint32},
+          {.name = "rock",
+           .units = "1",
+           .value = [](const Row& r) { return static_cast<std::int64_t>(r.rock); },
+           .description = "number of the rock that the fragment belonged to",
+           .number = Number::int32},
+          {.name = "particles",
+           .units = "1",
+           .value = [](const Row& r) { return static_cast<std::int64_t>(r.particles); },
+           .description = "number of its particles",
+           .number = Number::int32},
+          {.name = "mass", .units = "kg", .value = [](const Row& r) { return r.mass; }, .description = "mass"},
+          {.name = "size",
+           .units = "m",
+           .value = [](const Row& r) { return r.size; },
+           .description =
+               "sieve size: the smallest square opening that it passes; of a single particle, that of the sphere of "
+               "solid rock of its mass"},
+          {.name = "position",
+           .units = "m",
+           .value = [](const Row& r) { return r.position; },
+           .description = "centre of mass"},
+      }};
+  return table;
+}
+
+}  // namespace gyro
