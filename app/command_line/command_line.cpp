@@ -84,7 +84,7 @@ void add_bench_speed(CLI::App& command, BenchSpeedArguments& a) {
       ->check(CLI::Range(1, 1000));
   command.add_option("--seed", a.seed, "of the start states of S1 to S3");
   command.add_option("--particles", a.particles, "of S1 to S3, about; 20,000 by default")
-      ->check(CLI::Range(136, 5000000));
+      ->check(CLI::Range(1000, 5000000));
   command.add_option("--warm-up", a.warm_up, "steps before the clock starts")->check(CLI::Range(0, 1000000000));
   command.add_option("--steps", a.timed, "steps that are timed")->check(CLI::Range(1, 1000000000));
   command.add_option("--states", a.states, "folder that keeps the start states, for other programs and later calls")

@@ -29,8 +29,8 @@ SpeedScene scene_named(const std::string& name, int particles) {
 }
 
 StartState small(const std::string& name, std::uint64_t seed = 7) {
-  const SpeedScene scene = scene_named(name, 600);
-  return scene.make({seed, 600});
+  const SpeedScene scene = scene_named(name, 1000);
+  return scene.make({seed, 1000});
 }
 
 double lowest(const StartState& s) {
@@ -57,7 +57,7 @@ TEST_CASE("Start states of the bench overlap nowhere, and follow from seed and n
   for (const char* name : {"S1", "S2", "S2r", "S3"}) {
     CAPTURE(name);
     const StartState s = small(name), same = small(name), other = small(name, 8);
-    REQUIRE(s.centres.size() == (std::string(name) == "S2r" ? 4u * 136 : 600u));
+    REQUIRE(s.centres.size() == (std::string(name) == "S2r" ? 7u * 136 : 1000u));
     REQUIRE(s.radii.size() == s.centres.size());
     CHECK(smallest_room(s.centres, s.radii) > 1 - 1e-12);
     CHECK(smallest_room(s.centres, s.radii) < 1.001);  // but it is tight
@@ -73,7 +73,7 @@ TEST_CASE("Start states of the bench overlap nowhere, and follow from seed and n
 TEST_CASE("Spheres of the bench lie inside their walls, packed as loose rock is") {
   const StartState box = small("S1");
   const double width = box.sizes.at(0).second;
-  CHECK(width == Approx(0.8 * std::cbrt(600 / 20000.0)));
+  CHECK(width == Approx(0.8 * std::cbrt(1000 / 20000.0)));
   double volume = 0;
   for (std::size_t k = 0; k < box.centres.size(); ++k) {
     const Vec3d x = box.centres[k];
@@ -145,14 +145,15 @@ TEST_CASE("A measurement has the same energies on two threads, and counts what i
 
 TEST_CASE("bench speed writes start states that run, and measures them") {
   const Workplace place;
-  const Outcome written = place.gyrosim("bench speed --scene S3 --particles 200 --seed 3 --states s --states-only");
+  const Outcome written = place.gyrosim("bench speed --scene S3 --particles 1000 --seed 3 --states s --states-only");
   REQUIRE(written.code == 0);
-  CHECK(written.out.find("S3-3-200") != std::string::npos);
+  CHECK(written.out.find("S3-3-1000") != std::string::npos);
   for (const char* file : {"particles.csv", "outer.stl", "inner.stl", "case.yaml", "scene.json"})
-    CHECK(fs::exists(place.path() / "s/S3-3-200" / file));
-  CHECK(place.gyrosim("check s/S3-3-200/case.yaml").code == 0);
+    CHECK(fs::exists(place.path() / "s/S3-3-1000" / file));
+  CHECK(place.gyrosim("check s/S3-3-1000/case.yaml").code == 0);
   const Outcome measured = place.gyrosim(
-      "bench speed --scene S3 --particles 200 --seed 3 --states s --warm-up 20 --steps 100 --precision mixed --threads "
+      "bench speed --scene S3 --particles 1000 --seed 3 --states s --warm-up 20 --steps 100 --precision mixed "
+      "--threads "
       "1 --json");
   REQUIRE(measured.code == 0);
   const nlohmann::json j = nlohmann::json::parse(measured.out);
@@ -172,7 +173,7 @@ TEST_CASE("bench speed says what it cannot measure") {
   CHECK(unknown.err.find("S1, S2, S2r, S3, Q, C, F") != std::string::npos);
   CHECK(place.gyrosim("bench speed --scene Q --seed 4").code == 2);
   CHECK(place.gyrosim("bench speed --states-only").code == 2);
-  const Outcome key = place.gyrosim("bench speed --scene S1 --particles 200 --set numerics.nonsense=1");
+  const Outcome key = place.gyrosim("bench speed --scene S1 --particles 1000 --set numerics.nonsense=1");
   CHECK(key.code == 2);
   CHECK(key.err.find("nonsense") != std::string::npos);
   CHECK(place.listing().empty());

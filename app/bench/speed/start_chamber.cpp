@@ -78,10 +78,13 @@ TriangleMesh mesh_of(const Cone& cone, double scale, bool inwards) {
 
 StartState spheres_between_cones(const StartRecipe& recipe) {
   StartState state;
-  const double scale = scene_scale(recipe), clear = 0.006;  // [m]
+  // A small chamber would have no room for the largest spheres: fewer of them fill the usual one less high.
+  const double scale = std::max(1.0, scene_scale(recipe)), clear = 0.006;  // [m]
   const Chamber chamber = chamber_of(scale);
   state.radii = mixed_radii(recipe);
-  const double top = fill_height(chamber, volume_of(state.radii) / fraction), wide = chamber.outer.at(chamber.height);
+  const double top = std::max(fill_height(chamber, volume_of(state.radii) / fraction),
+                              chamber.floor + 2.2 * *std::ranges::max_element(state.radii));
+  const double wide = chamber.outer.at(chamber.height);
   const auto inside = [&](const Vec3d& x) {
     const double away = std::hypot(x.x, x.y);
     return away < chamber.outer.at(x.z) - clear && away > chamber.inner.at(x.z) + clear;
