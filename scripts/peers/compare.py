@@ -9,8 +9,8 @@ scripts/compare_peers.sh installs the peers and calls this. In each round the pe
 precision run one after the other, so that what disturbs the machine disturbs all. Times are processor times of the timed
 steps. A ratio is gyrosim's speed over the peer's in the same round; the table has the median and the smallest and largest.
 
-Both programs must end with the same kinetic energy of translation, within the tolerance of the pair; --help of a peer's law
-is in the page app/bench/README.md. Exit code 1 when one does not, 2 for arguments that cannot be used.
+Both programs must end with the same kinetic energy of translation, within the tolerance of the pair
+(tests/bench/README.md). Exit code 1 when one does not, 2 for arguments that cannot be used.
 """
 import argparse
 import json
@@ -62,14 +62,18 @@ def result_of(pair, rates, energies):
 
 
 def show(result):
-    millions = [rate / 1e6 for rate in result["peer_rates"]]
-    print(f"{result['scene']:4} {result['peer']:32} {spread(millions):24}", end="")
+    """Two lines of the table."""
+    peer = spread([rate / 1e6 for rate in result["peer_rates"]])
     for precision in PRECISIONS:
-        print(f" {precision} {spread([rate / 1e6 for rate in result['rates'][precision]]):22}"
-              f" ratio {spread(result['ratios'][precision]):22}", end="")
-    off = ", ".join(f"{result['energy_off_by'][p]:+.1e}" for p in PRECISIONS)
-    verdict = "same" if result["same"] else "NOT THE SAME"
-    print(f" {verdict}: energy {off} of {result['energy']:.4g} J, tolerance {result['tolerance']:.0e}", flush=True)
+        ours = spread([rate / 1e6 for rate in result["rates"][precision]])
+        off = result["energy_off_by"][precision]
+        same = "same" if abs(off) <= result["tolerance"] else f"NOT THE SAME, at most {result['tolerance']:.0e}"
+        print(f"{result['scene']:4} {result['peer']:32} {peer:22} {precision:7} {ours:22} {spread(result['ratios'][precision]):22}"
+              f" {off:+9.1e}  {same}", flush=True)
+
+
+def show_head():
+    print(f"{'':4} {'peer':32} {'M steps/s':22} {'gyrosim':7} {'M steps/s':22} {'ratio':22} energy off by")
 
 
 def asked():
@@ -97,6 +101,7 @@ def main():
         arguments.states = arguments.states or folder
         if not arguments.json:
             print(f"{programs.processor()}; M particle-steps/s of processor time, one core, rounds: {arguments.rounds}")
+            show_head()
         for pair in scenes.PAIRS:
             if arguments.scene and pair.scene not in arguments.scene:
                 continue

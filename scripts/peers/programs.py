@@ -2,6 +2,7 @@
 """Calls of gyrosim, LAMMPS and LIGGGHTS on one core."""
 import json
 import os
+import resource
 import subprocess
 import sys
 import time
@@ -20,20 +21,24 @@ def processor():
     return "unknown processor"
 
 
+def processor_time():
+    """Of all programs that have ended [s]."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def call(arguments, command):
     """Output of a program on one core, and the share of the time in which it had the core."""
     core = arguments.core if arguments.core is not None else max(os.sched_getaffinity(0))
     environment = {**os.environ, "OMP_NUM_THREADS": "1"}
-    begin, before = time.monotonic(), os.times()
+    begin, before = time.monotonic(), processor_time()
     try:
         done = subprocess.run(["taskset", "-c", str(core), *command], capture_output=True, text=True, env=environment)
     except FileNotFoundError as missing:
         fail(f"{missing.filename} is not there; install util-linux")
     if done.returncode:
         fail(f"{' '.join(command)} failed ({done.returncode}):\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    after = os.times()
-    used = after.children_user + after.children_system - before.children_user - before.children_system
-    return done.stdout, min(1.0, used / (time.monotonic() - begin))
+    return done.stdout, min(1.0, (processor_time() - before) / (time.monotonic() - begin))
 
 
 def of_gyrosim(arguments, scene, *more):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes of `gyrosim bench speed` in the words of LAMMPS and LIGGGHTS. The numbers are those of cases/bench/*.yaml."""
 import math
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
@@ -57,14 +58,17 @@ def run_bonded(state, arguments, folder):
 LAW = "wall/gran model hertz tangential history rolling_friction cdt"
 
 
-def planes_of_box(state):
+def planes_of_box(state, folder):
     sides = [("x", 0.0), ("x", state.size("width")), ("y", 0.0), ("y", state.size("width")), ("z", 0.0)]
     return [f"fix side{n} all {LAW} primitive type 1 {axis}plane {at!r}" for n, (axis, at) in enumerate(sides)]
 
 
-def cones(state):
+def cones(state, folder):
     """The inner one moves on the circle (e sin wt, e (1 - cos wt)), which is made of two oscillations."""
-    lines = [f"fix {name} all mesh/surface file {state.folder}/{name}.stl type 1 curvature 1e-6" for name in ("outer", "inner")]
+    lines = []
+    for name in ("outer", "inner"):
+        shutil.copy(state.folder / f"{name}.stl", folder)  # LIGGGHTS reads no path with blanks
+        lines.append(f"fix {name} all mesh/surface file {folder}/{name}.stl type 1 curvature 1e-6")
     return lines + [
         f"fix cones all {LAW} mesh n_meshes 2 meshes outer inner",
         f"fix floor all {LAW} primitive type 1 zplane 0.0",
@@ -77,7 +81,7 @@ def run_liggghts(walls):
     def run(state, arguments, folder):
         state.write(folder / "state.data")
         script = folder / "in.liggghts"
-        script.write_text((HERE / "loose.liggghts").read_text().replace("\nWALLS\n", "\n" + "\n".join(walls(state)) + "\n"))
+        script.write_text((HERE / "loose.liggghts").read_text().replace("\nWALLS\n", "\n" + "\n".join(walls(state, folder)) + "\n"))
         given = {**steps(state), **contact(), "rolling": ROLLING, "state": folder / "state.data"}
         return run_peer(arguments, arguments.liggghts, script, given)
 

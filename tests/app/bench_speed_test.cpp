@@ -176,5 +176,8 @@ TEST_CASE("bench speed says what it cannot measure") {
   const Outcome key = place.gyrosim("bench speed --scene S1 --particles 1000 --set numerics.nonsense=1");
   CHECK(key.code == 2);
   CHECK(key.err.find("nonsense") != std::string::npos);
+  const Outcome mass = place.gyrosim("bench speed --scene Q --threads 1 --precision mixed --set 'feed.initial=900 kg'");
+  CHECK(mass.code == 2);
+  CHECK(mass.err.find("--set:1:") != std::string::npos);  // the key to blame
   CHECK(place.listing().empty());
 }

@@ -35,22 +35,25 @@ class StopWatch {
   double cpu_ = process_seconds();
 };
 
-std::unique_ptr<Simulation> made(const SpeedRun& run) {
-  std::vector<std::string> overrides = run.overrides;
-  overrides.push_back("numerics.precision=" + to_string(run.precision));
+Case loaded(const SpeedRun& run, const std::vector<std::string>& overrides) {
   const CaseReport report = load_case(run.file, overrides);
   std::string problems;
   for (const CaseProblem& problem : report.problems) problems += (problems.empty() ? "" : "\n") + to_string(problem);
   if (!report.loaded) throw BadInput(problems);
-  Assembly assembly = [&] {
-    try {
-      return assemble(*report.loaded, run.threads);
-    } catch (const BadKey& bad) {
-      throw BadInput(to_string(problem_at(run.file, overrides, bad.key, bad.what())));
-    }
-  }();
-  auto dem = make_dem(choose_device("cpu", run.threads), assembly.setup.scene, run.precision);
-  return make_simulation(*report.loaded, std::move(assembly.setup), std::move(dem));
+  return *report.loaded;
+}
+
+std::unique_ptr<Simulation> made(const SpeedRun& run) {
+  std::vector<std::string> overrides = run.overrides;
+  overrides.push_back("numerics.precision=" + to_string(run.precision));
+  const Case input = loaded(run, overrides);
+  try {
+    Assembly assembly = assemble(input, run.threads);
+    auto dem = make_dem(choose_device("cpu", run.threads), assembly.setup.scene, run.precision);
+    return make_simulation(input, std::move(assembly.setup), std::move(dem));
+  } catch (const BadKey& bad) {
+    throw BadInput(to_string(problem_at(run.file, overrides, bad.key, bad.what())));
+  }
 }
 
 /// @return steps that were done: whole holds, so that they may be a few more

@@ -4,7 +4,8 @@
 namespace gyro::bench {
 
 // The clock of S1 and S3 starts when the spheres have come together. That of S2 and S2r stops before a bond breaks, so
-// that other programs, which break bonds by other rules, compute the same.
+// that other programs, which break bonds by other rules, compute the same. F has as much rock as can be placed without
+// contacts: 19.2 t of 25 t found room, and the last tonne takes most of the time.
 std::span<const SpeedScene> speed_scenes() {
   static const std::vector<SpeedScene> scenes{
       {.name = "S1",
@@ -38,9 +39,9 @@ std::span<const SpeedScene> speed_scenes() {
       {.name = "Q", .title = "quickstart", .file = "quickstart.yaml", .warm_up = 24000, .timed = 9000},
       {.name = "C", .title = "62-75 with 2 t", .file = "mkii-62-75/case.yaml", .warm_up = 100, .timed = 200},
       {.name = "F",
-       .title = "62-75 full, 25 t",
+       .title = "62-75 full, 18 t",
        .file = "mkii-62-75/case.yaml",
-       .overrides = {"feed.initial=25 t"},
+       .overrides = {"feed.initial=18 t"},
        .warm_up = 20,
        .timed = 100,
        .asked_only = true},
