@@ -43,7 +43,7 @@ class PeersTest(unittest.TestCase):
         self.at = Path(folder.name)
         state = self.at / "S2-1-2"
         state.mkdir()
-        (state / "particles.csv").write_text("id,x,y,z,r,vx,vy,vz\n0,0.5,0,0,0.01,1,2,3\n1,0.52,0,0,0.01,0,0,0\n")
+        (state / "particles.csv").write_text("id,x,y,z,r,vx,vy,vz\n0,0.5,0,0,0.01,3,0,4\n1,0.52,0,0,0.01,0,0,0\n")
         (state / "bonds.csv").write_text("i,j\n0,1\n")
         sizes = {"bottom": -0.01, "top": 0.01}
         scene = {"bonds": 1, "warm_up": 100, "timed": 400, "time_step": 5e-7, "sizes": sizes}
@@ -70,9 +70,10 @@ class PeersTest(unittest.TestCase):
         lines = (self.at / "data").read_text().splitlines()
         self.assertIn("2 atoms", lines)
         self.assertIn("1 1 1 0.02 2600.0 0.5 0 0", lines)
-        self.assertIn("1 1 2 3 0 0 0", lines)
+        self.assertIn("1 3 0 4 0 0 0", lines)
         self.assertIn("1 1 1 2", lines[lines.index("Bonds"):])
         self.assertIn("0.3 0.72 xlo xhi", lines)
+        self.assertAlmostEqual(self.state.kinetic_energy(), 0.5 * 4 / 3 * 3.14159265 * 1e-6 * 2600 * 25)
 
     def test_every_scene_of_the_comparison_has_its_input_file(self):
         self.assertEqual({pair.scene for pair in scenes.PAIRS}, {"S1", "S2", "S2r", "S3"})

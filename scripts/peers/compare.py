@@ -9,8 +9,8 @@ scripts/compare_peers.sh installs the peers and calls this. In each round the pe
 precision run one after the other, so that what disturbs the machine disturbs all. Times are processor times of the timed
 steps. A ratio is gyrosim's speed over the peer's in the same round; the table has the median and the smallest and largest.
 
-Both programs must end with the same kinetic energy of translation, within the tolerance of the pair
-(tests/bench/README.md). Exit code 1 when one does not, 2 for arguments that cannot be used.
+Both programs must end with the same kinetic energy of translation, within the tolerance of the pair; the difference is taken
+over the larger of the energies at the start and at the end (tests/bench/README.md). Exit code 1 when one does not, 2 for arguments that cannot be used.
 """
 import argparse
 import json
@@ -46,8 +46,9 @@ def rounds_of(pair, state, arguments, folder):
     return rates, energies
 
 
-def result_of(pair, rates, energies):
-    off = {p: energies[p] / energies["peer"] - 1 for p in PRECISIONS}
+def result_of(pair, state, rates, energies):
+    scale = max(state.kinetic_energy(), energies["peer"])
+    off = {p: (energies[p] - energies["peer"]) / scale for p in PRECISIONS}
     return {
         "scene": pair.scene,
         "peer": pair.peer,
@@ -106,7 +107,7 @@ def main():
             if arguments.scene and pair.scene not in arguments.scene:
                 continue
             state = programs.state_of(arguments, pair.scene)
-            results.append(result_of(pair, *rounds_of(pair, state, arguments, Path(folder))))
+            results.append(result_of(pair, state, *rounds_of(pair, state, arguments, Path(folder))))
             if not arguments.json:
                 show(results[-1])
     if arguments.json:

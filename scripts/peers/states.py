@@ -2,9 +2,11 @@
 """Start states of `gyrosim bench speed --states` as the data files of LAMMPS and LIGGGHTS."""
 import csv
 import json
+import math
 from pathlib import Path
 
 DENSITY = 2600.0  # of the rock in cases/bench [kg/m3]
+ROOM = 0.2  # around all in the box of a peer [m]
 
 
 class State:
@@ -23,12 +25,21 @@ class State:
     def size(self, name):
         return self.scene["sizes"][name]
 
-    def box(self, room):
-        """Lines of a data file: a box around all particles, with room around them [m]."""
+    def kinetic_energy(self):
+        """Of translation [J]."""
+        return sum(2 / 3 * math.pi * DENSITY * float(p["r"])**3 * sum(float(p[v])**2 for v in ("vx", "vy", "vz"))
+                   for p in self.particles)
+
+    def box(self):
+        """Lines of a data file: a box around all particles, and around the meshes of scenes that have some."""
         lines = []
         for axis in "xyz":
             values = [float(p[axis]) for p in self.particles]
-            lines.append(f"{min(values) - room!r} {max(values) + room!r} {axis}lo {axis}hi")
+            low, high = min(values), max(values)
+            if "outer_radius" in self.scene["sizes"]:
+                wide, tall = self.size("outer_radius"), self.size("height")
+                low, high = (0.0, tall) if axis == "z" else (-wide, wide)
+            lines.append(f"{low - ROOM!r} {high + ROOM!r} {axis}lo {axis}hi")
         return lines
 
     def write(self, path, molecules=False):
@@ -36,7 +47,7 @@ class State:
         lines = ["start state of gyrosim", "", f"{len(self.particles)} atoms", "1 atom types"]
         if molecules:
             lines += [f"{len(self.bonds)} bonds", "1 bond types", "40 extra bond per atom", "60 extra special per atom"]
-        lines += self.box(0.2) + ["", "Atoms", ""]
+        lines += self.box() + ["", "Atoms", ""]
         for p in self.particles:
             number = int(p["id"]) + 1
             first = f"{number} 1 1" if molecules else f"{number} 1"

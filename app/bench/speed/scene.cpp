@@ -3,8 +3,7 @@
 
 namespace gyro::bench {
 
-// The clock of S1 and S3 starts when the spheres have come together. That of S2 and S2r stops before a bond breaks, so
-// that other programs, which break bonds by other rules, compute the same. F has as much rock as can be placed without
+// The clock of S1 and S3 starts when the spheres have come together. F has as much rock as can be placed without
 // contacts: 19.2 t of 25 t found room, and the last tonne takes most of the time.
 std::span<const SpeedScene> speed_scenes() {
   static const std::vector<SpeedScene> scenes{

@@ -3,6 +3,7 @@
 
 #include "core/base/errors.hpp"
 #include "io/case/case.hpp"
+#include "io/files/digest.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -76,16 +77,44 @@ Case load(const SpeedScene& scene, const fs::path& file, const std::vector<std::
   return *report.loaded;
 }
 
-nlohmann::ordered_json description(const SpeedScene& scene, const StartState& state, const Case& input) {
-  nlohmann::ordered_json j{{"scene", scene.name},
-                           {"seed", scene.recipe.seed},
-                           {"particles", state.centres.size()},
-                           {"bonds", state.bonds.size()},
-                           {"time_step", input.time.step.value_or(0)},
-                           {"warm_up", scene.warm_up},
-                           {"timed", scene.timed}};
-  for (const auto& [name, size] : state.sizes) j["sizes"][name] = size;
-  return j;
+/// What a folder must have been made from to be used again. `form` changes with the start states.
+nlohmann::ordered_json origin_of(const SpeedScene& scene, const fs::path& file) {
+  return {{"scene", scene.name},
+          {"seed", scene.recipe.seed},
+          {"asked", scene.recipe.particles},
+          {"warm_up", scene.warm_up},
+          {"timed", scene.timed},
+          {"case", digest_of_file(file)},
+          {"form", 1}};
+}
+
+bool is_current(const fs::path& folder, const nlohmann::ordered_json& origin) {
+  std::ifstream in(folder / "scene.json");
+  const nlohmann::json written = nlohmann::json::parse(in, nullptr, false);
+  if (!written.is_object()) return false;
+  for (const auto& [key, value] : origin.items())
+    if (!written.contains(key) || written.at(key) != nlohmann::json(value)) return false;
+  return true;
+}
+
+void write_folder(const fs::path& folder, const SpeedScene& scene, const fs::path& file,
+                  nlohmann::ordered_json description) {
+  const StartState state = scene.make(scene.recipe);
+  fs::remove(folder / "scene.json");
+  write_particles(folder / "particles.csv", state);
+  if (!state.bonds.empty()) write_bonds(folder / "bonds.csv", state);
+  for (const auto& [wall, mesh] : state.meshes) write_mesh(folder / (wall + ".stl"), wall, mesh);
+  std::vector<std::string> overrides = scene.overrides;
+  overrides.insert(overrides.end(), state.overrides.begin(), state.overrides.end());
+  const std::vector<std::string> files = named_files(state, folder);
+  overrides.insert(overrides.end(), files.begin(), files.end());
+  const Case input = load(scene, file, overrides);
+  write(folder / "case.yaml", resolved_yaml(input));
+  description["particles"] = state.centres.size();
+  description["bonds"] = state.bonds.size();
+  description["time_step"] = input.time.step.value_or(0);
+  for (const auto& [name, size] : state.sizes) description["sizes"][name] = size;
+  write(folder / "scene.json", description.dump(1) + "\n");  // last: the folder is complete
 }
 
 }  // namespace
@@ -94,21 +123,12 @@ fs::path write_start(const SpeedScene& scene, const fs::path& cases, const fs::p
   if (scene.make == nullptr) return cases / scene.file;
   const fs::path folder = fs::absolute(above) / (scene.name + "-" + std::to_string(scene.recipe.seed) + "-" +
                                                  std::to_string(scene.recipe.particles));
-  if (fs::exists(folder / "scene.json")) return folder / "case.yaml";
+  const nlohmann::ordered_json origin = origin_of(scene, cases / scene.file);
+  if (is_current(folder, origin)) return folder / "case.yaml";
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) throw OutputError(folder.string() + ": cannot be made: " + failed.message());
-  const StartState state = scene.make(scene.recipe);
-  write_particles(folder / "particles.csv", state);
-  if (!state.bonds.empty()) write_bonds(folder / "bonds.csv", state);
-  for (const auto& [wall, mesh] : state.meshes) write_mesh(folder / (wall + ".stl"), wall, mesh);
-  std::vector<std::string> overrides = scene.overrides;
-  overrides.insert(overrides.end(), state.overrides.begin(), state.overrides.end());
-  const std::vector<std::string> files = named_files(state, folder);
-  overrides.insert(overrides.end(), files.begin(), files.end());
-  const Case input = load(scene, cases / scene.file, overrides);
-  write(folder / "case.yaml", resolved_yaml(input));
-  write(folder / "scene.json", description(scene, state, input).dump(1) + "\n");  // last: the folder is complete
+  write_folder(folder, scene, cases / scene.file, origin);
   return folder / "case.yaml";
 }
 

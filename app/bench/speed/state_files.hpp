@@ -13,7 +13,7 @@ namespace gyro::bench {
 ///   case.yaml                            the case with every key, which `gyrosim run` takes
 ///   scene.json                           seed, steps, sizes
 ///
-/// A folder that is complete is left alone.
+/// A folder that was made from the same scene, steps and case file is left alone.
 /// @param cases  folder of the cases of the program
 /// @param above  the folder becomes ABOVE/SCENE-SEED-PARTICLES
 /// @return the case to run: case.yaml, or that of a scene without a start state
