@@ -180,6 +180,14 @@ TEST_CASE("Start states are kept for the same scene, and made again for another 
   CHECK(read_text(table) == rows);
 }
 
+TEST_CASE("Scenes without a start state are measured over whole windows") {
+  SpeedRun run{.file = fs::path(GYRO_CASES) / "box.yaml", .timed = 30};
+  const auto steps = [&] { return in_own_process([&] { return to_json(measure_speed(run)); }).at("steps").get<int>(); };
+  CHECK(steps() == 30);
+  run.whole_windows = true;
+  CHECK(steps() > 30);
+}
+
 TEST_CASE("bench speed says what it cannot measure") {
   const Workplace place;
   const Outcome unknown = place.gyrosim("bench speed --scene S9");

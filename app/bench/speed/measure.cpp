@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <limits>
 #include <memory>
 
 namespace gyro::bench {
@@ -56,11 +57,12 @@ std::unique_ptr<Simulation> made(const SpeedRun& run) {
   }
 }
 
-/// @return steps that were done: whole holds, so that they may be a few more
-std::int64_t advance(Simulation& simulation, int steps) {
+/// @return steps that were done: at least whole holds, so that they may be a few more than asked for
+std::int64_t advance(Simulation& simulation, int steps, bool whole_windows) {
   std::int64_t done = 0;
   while (done < steps) {
-    done += simulation.advance(static_cast<int>(steps - done)).window.steps;
+    const int longest = whole_windows ? std::numeric_limits<int>::max() : static_cast<int>(steps - done);
+    done += simulation.advance(longest).window.steps;
     simulation.require_sound();
   }
   return done;
@@ -115,12 +117,12 @@ SpeedMeasurement measure_speed(const SpeedRun& run) {
   const StopWatch setup;
   const std::unique_ptr<Simulation> simulation = made(run);
   m.setup_seconds = setup.wall();
-  advance(*simulation, run.warm_up);
+  advance(*simulation, run.warm_up, run.whole_windows);
   const Dem& dem = simulation->dem();
   const Counts before = dem.counts();
   const Phases phases = dem.phase_seconds();
   const StopWatch clock;
-  m.steps = advance(*simulation, run.timed);
+  m.steps = advance(*simulation, run.timed, run.whole_windows);
   m.wall_seconds = clock.wall();
   m.cpu_seconds = clock.cpu();
   m.phases = since(phases, dem.phase_seconds());

@@ -16,10 +16,11 @@ namespace gyro::bench {
 /// One run of a scene.
 struct SpeedRun {
   std::filesystem::path file;  ///< case
-  std::vector<std::string> overrides;
+  std::vector<std::string> overrides = {};
   int threads = 1;
   Precision precision = Precision::mixed;
   int warm_up = 0, timed = 0;  ///< steps
+  bool whole_windows = false;  ///< take more steps rather than end inside a window, whose end has a cost of its own
 };
 
 /// What was measured in the timed steps of a run.

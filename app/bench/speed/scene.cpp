@@ -36,13 +36,13 @@ std::span<const SpeedScene> speed_scenes() {
        .warm_up = 2000,
        .timed = 1000},
       {.name = "Q", .title = "quickstart", .file = "quickstart.yaml", .warm_up = 24000, .timed = 9000},
-      {.name = "C", .title = "62-75 with 2 t", .file = "mkii-62-75/case.yaml", .warm_up = 100, .timed = 200},
+      {.name = "C", .title = "62-75 with 2 t", .file = "mkii-62-75/case.yaml", .warm_up = 1, .timed = 500},
       {.name = "F",
        .title = "62-75 full, 18 t",
        .file = "mkii-62-75/case.yaml",
        .overrides = {"feed.initial=18 t"},
-       .warm_up = 20,
-       .timed = 100,
+       .warm_up = 1,
+       .timed = 200,
        .asked_only = true},
   };
   return scenes;

@@ -19,7 +19,7 @@ std::vector<SpeedResult> measure(const SpeedScene& scene, const SpeedPlan& plan)
     for (const Precision precision : plan.precisions) results.push_back({scene.name, threads, precision, {}});
   for (int round = 0; round < plan.repeat; ++round)
     for (SpeedResult& r : results) {
-      const SpeedRun run{file, overrides, r.threads, r.precision, scene.warm_up, scene.timed};
+      const SpeedRun run{file, overrides, r.threads, r.precision, scene.warm_up, scene.timed, scene.make == nullptr};
       r.runs.push_back(measurement_of(in_own_process([&] { return to_json(measure_speed(run)); })));
     }
   for (SpeedResult& r : results) std::ranges::sort(r.runs, {}, [&](const SpeedMeasurement& m) { return r.seconds(m); });
