@@ -75,6 +75,27 @@ void add_bench_accuracy(CLI::App& command, BenchAccuracyArguments& a) {
   command.add_flag("--json", a.json, "one JSON document on standard output");
 }
 
+void add_bench_speed(CLI::App& command, BenchSpeedArguments& a) {
+  const auto list = [&command](const char* name, auto& target, const char* text) {
+    return command.add_option(name, target, text)->allow_extra_args(false);
+  };
+  list("--scene", a.scenes, "S1, S2, S2r, S3, Q, C or F; give it again for more; default all but F");
+  list("--threads", a.threads, "threads of a run; default 1 and 2")->check(CLI::Range(1, 4096));
+  list("--precision", a.precisions, "mixed or double; default both")->check(CLI::IsMember({"mixed", "double"}));
+  list("--set", a.set, "override a key of all cases: key.path=value");
+  command.add_option("--repeat", a.repeat, "runs of each setting, in turn; medians and spread")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("--seed", a.seed, "of the start states of S1 to S3");
+  command.add_option("--particles", a.particles, "of S1 to S3, about; 20,000 by default")
+      ->check(CLI::Range(1000, 5000000));
+  command.add_option("--warm-up", a.warm_up, "steps before the clock starts")->check(CLI::Range(0, 1000000000));
+  command.add_option("--steps", a.timed, "steps that are timed")->check(CLI::Range(1, 1000000000));
+  command.add_option("--states", a.states, "folder that keeps the start states, for other programs and later calls")
+      ->check(possible_name);
+  command.add_flag("--states-only", a.states_only, "write the start states and measure nothing");
+  command.add_flag("--json", a.json, "one JSON document on standard output");
+}
+
 /// What is wrong with a command line, and where its options are listed.
 std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> chosen = app->get_subcommands();
@@ -98,6 +119,7 @@ struct Arguments {
   ExportArguments exported;
   VerifyArguments verify;
   BenchAccuracyArguments accuracy;
+  BenchSpeedArguments speed;
   DescribeArguments describe;
   std::string name = "quickstart";
   bool info_json = false;
@@ -162,9 +184,13 @@ void add_other_commands(CLI::App& app, Arguments& a) {
   c->add_flag("--json", a.verify.json, "one JSON document on standard output");
   c->callback([&a] { a.chosen = [&a] { return verify_command(a.verify); }; });
 
-  c = app.add_subcommand("bench", "measure what numerical choices cost and how accurate they are")
+  CLI::App* benches =
+      app.add_subcommand("bench", "measure speed, and what numerical choices cost and how accurate they are")
           ->require_subcommand(1);
-  c = c->add_subcommand("accuracy", "work against error: cost and error of numerical choices on three scenes");
+  c = benches->add_subcommand("speed", "how fast named scenes are, where their time goes, and their memory");
+  add_bench_speed(*c, a.speed);
+  c->callback([&a] { a.chosen = [&a] { return bench_speed_command(a.speed); }; });
+  c = benches->add_subcommand("accuracy", "work against error: cost and error of numerical choices on three scenes");
   add_bench_accuracy(*c, a.accuracy);
   c->callback([&a] { a.chosen = [&a] { return bench_accuracy_command(a.accuracy); }; });
 

@@ -4,6 +4,7 @@
 #include "app/assembly/bad_key.hpp"
 #include "io/case/case.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -65,6 +66,19 @@ struct BenchAccuracyArguments {
   bool quick = false, make_reference = false, json = false;
 };
 
+struct BenchSpeedArguments {
+  std::vector<std::string> scenes;      ///< empty: all but those that must be asked for
+  std::vector<int> threads;             ///< empty: 1 and 2
+  std::vector<std::string> precisions;  ///< empty: both
+  std::vector<std::string> set;         ///< overrides of all cases
+  int repeat = 1;
+  std::optional<std::uint64_t> seed;            ///< of the start states that the program makes; none: the scene's own
+  std::optional<int> particles;                 ///< likewise
+  std::optional<int> warm_up, timed;            ///< steps; none: the scene's own
+  std::optional<std::filesystem::path> states;  ///< folder that keeps start states; none: a temporary one
+  bool states_only = false, json = false;
+};
+
 /// Each command returns an exit code; bad input and failures come as exceptions of core/base/errors.hpp.
 int run_command(const RunArguments& arguments);
 int check_command(const CaseArguments& arguments);
@@ -73,6 +87,7 @@ int liners_command(const CaseArguments& arguments, const std::filesystem::path& 
 int library_command(const CaseArguments& arguments, const std::optional<std::filesystem::path>& out);
 int verify_command(const VerifyArguments& arguments);
 int bench_accuracy_command(const BenchAccuracyArguments& arguments);
+int bench_speed_command(const BenchSpeedArguments& arguments);
 /// The summary of a run, as it was printed at its end.
 int report_command(const std::filesystem::path& run);
 /// A table of a run as CSV, to a file or standard output; names carry the unit.

@@ -42,4 +42,8 @@ int bench_accuracy_command(const BenchAccuracyArguments&) {
   return run_complete_program();
 }
 
+int bench_speed_command(const BenchSpeedArguments&) {
+  return run_complete_program();
+}
+
 }  // namespace gyro

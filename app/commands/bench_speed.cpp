@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/speed/own_process.hpp"
+#include "app/bench/speed/report.hpp"
+#include "app/bench/speed/state_files.hpp"
+#include "app/commands/commands.hpp"
+#include "app/commands/program_files.hpp"
+#include "app/version.hpp"
+#include "core/base/errors.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
+namespace gyro {
+namespace {
+
+using namespace bench;
+namespace fs = std::filesystem;
+
+/// A folder for start states that is removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "gyrosim-bench-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw OutputError(name + ": cannot be made; give a folder for start states with --states");
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+SpeedScene scene_named(const std::string& name) {
+  std::string known;
+  for (const SpeedScene& scene : speed_scenes()) {
+    if (scene.name == name) return scene;
+    known += (known.empty() ? "" : ", ") + scene.name;
+  }
+  throw BadInput("--scene " + name + ": there is no such scene; use one of " + known);
+}
+
+std::vector<SpeedScene> chosen(const BenchSpeedArguments& a) {
+  std::vector<SpeedScene> scenes;
+  for (const std::string& name : a.scenes) scenes.push_back(scene_named(name));
+  for (const SpeedScene& scene : speed_scenes())
+    if (a.scenes.empty() && !scene.asked_only && !(a.states_only && scene.make == nullptr)) scenes.push_back(scene);
+  for (SpeedScene& scene : scenes) {
+    if (scene.make == nullptr && !a.scenes.empty() && (a.seed || a.particles || a.states_only))
+      throw BadInput("--scene " + scene.name +
+                     ": --seed, --particles and --states-only belong to start states, and this scene has none; leave "
+                     "them out or use --set");
+    scene.recipe.seed = a.seed.value_or(scene.recipe.seed);
+    scene.recipe.particles = a.particles.value_or(scene.recipe.particles);
+    scene.warm_up = a.warm_up.value_or(scene.warm_up);
+    scene.timed = a.timed.value_or(scene.timed);
+  }
+  return scenes;
+}
+
+SpeedPlan plan_of(const BenchSpeedArguments& a, const fs::path& states) {
+  SpeedPlan plan{.cases = case_folder(), .states = states, .overrides = a.set, .repeat = a.repeat};
+  if (!a.threads.empty()) plan.threads = a.threads;
+  if (!a.precisions.empty()) plan.precisions.clear();
+  for (const std::string& word : a.precisions)
+    plan.precisions.push_back(word == "mixed" ? Precision::mixed : Precision::double_);
+  return plan;
+}
+
+int write_states(const std::vector<SpeedScene>& scenes, const SpeedPlan& plan) {
+  for (const SpeedScene& scene : scenes)
+    std::cout << write_start(scene, plan.cases, plan.states).parent_path().string() << "\n";
+  return exit_done;
+}
+
+}  // namespace
+
+int bench_speed_command(const BenchSpeedArguments& a) {
+  const std::vector<SpeedScene> scenes = chosen(a);
+  if (a.states_only && !a.states) throw BadInput("--states-only needs a folder to write into; give it with --states");
+  std::optional<TemporaryFolder> temporary;
+  if (!a.states) temporary.emplace();
+  const SpeedPlan plan = plan_of(a, a.states ? *a.states : temporary->path());
+  if (a.states_only) return write_states(scenes, plan);
+  if (!a.json) print_speed_head();
+  nlohmann::ordered_json measured = nlohmann::ordered_json::array();
+  for (const SpeedScene& scene : scenes)
+    for (const SpeedResult& result : measure(scene, plan)) {
+      if (a.json)
+        measured.push_back(to_json(result));
+      else
+        print(result);
+    }
+  if (a.json)
+    std::cout
+        << nlohmann::ordered_json{{"scenes", measured}, {"machine", processor_name()}, {"git", version::git}}.dump(1)
+        << "\n";
+  return exit_done;
+}
+
+}  // namespace gyro
