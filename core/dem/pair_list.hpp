@@ -33,7 +33,6 @@ class PairList {
     now_.pair.resize(total);
     now_.history.resize(total);
     if (with_extra_) now_.extra.resize(total);
-    now_.result.resize(total);
     now_.touching.resize(total);
     find.rows.entries = now_.pair.data();
     if (total > 0) exec.for_each("find pairs", rock.count(), find);
@@ -45,8 +44,8 @@ class PairList {
   /// Empty rows for particles that have just come.
   void extend_rows(Index particles) { gyro::extend_rows<Exec>(now_.row_begin, particles, now_.ends.size()); }
 
-  /// Pairs of the particles that stay, with their history, under the new indices. Their bonds are found again when the
-  /// list is rebuilt.
+  /// Pairs of the particles that stay, with their history, under the new indices. Their bonds, and the places and loads
+  /// of their ends, are found again when the list is rebuilt.
   void keep(const Remaining& remaining) {
     const auto& pairs = Exec::host(now_.pair);
     std::vector<Pair> kept;
@@ -62,7 +61,6 @@ class PairList {
     keep_ends(remaining, new_pair);
     Exec::keep(now_.history, source);
     if (with_extra_) Exec::keep(now_.extra, source);
-    Exec::keep(now_.result, source);
     Exec::keep(now_.touching, source);
     Exec::upload(now_.pair, std::move(kept));
   }
@@ -78,7 +76,6 @@ class PairList {
   void restore(Exec& exec, const SavedState& from, const Store& rock) {
     std::vector<Pair> pairs = from.get<Pair>("contacts/pair");
     const std::size_t count = pairs.size();
-    now_.result.resize(count);
     Exec::upload(now_.history, from.get<ContactHistory<Real>>("contacts/history", count));
     if (with_extra_) Exec::upload(now_.extra, from.get<ExtraHistory<Real>>("contacts/extra", count));
     Exec::upload(now_.touching, std::vector<std::int8_t>(count, 1));
@@ -119,6 +116,10 @@ class PairList {
     exec.for_each("enter ends", pairs,
                   EnterEnds{now_.pair.data(), entered_.data(), now_.row_begin.data(), now_.ends.data()});
     exec.for_each("sort rows", n, SortRow{rock.read(), now_.pair.data(), now_.row_begin.data(), now_.ends.data()});
+    now_.at.resize(static_cast<std::size_t>(pairs));
+    exec.for_each("locate ends", 2 * pairs, LocateEnds{now_.ends.data(), now_.at.data()});
+    now_.load.resize(2 * static_cast<std::size_t>(pairs));
+    now_.loaded.resize(2 * static_cast<std::size_t>(pairs));
   }
 
   void keep_ends(const Remaining& remaining, const std::vector<Index>& new_pair) {

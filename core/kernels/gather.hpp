@@ -49,18 +49,12 @@ struct Gather {
  private:
   GYRO_HD void add_contacts(Index n, Vec3d& force, Vec3d& torque, LostWork& lost) const {
     for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e) {
-      const PairEnd end = pairs.ends[e];
-      if (!pairs.touching[end.pair]) continue;
-      const PairResult<Real> r = pairs.result[end.pair];
-      if (end.side == 0) {
-        force += cast<double>(r.force);
-        torque += cast<double>(r.torque_i);
-        lost.contact_damping += static_cast<double>(r.damped);
-        lost.contact_slip += static_cast<double>(r.slipped);
-      } else {
-        force -= cast<double>(r.force);
-        torque += cast<double>(r.torque_j);
-      }
+      if (!pairs.loaded[e]) continue;
+      const EndLoad<Real> load = pairs.load[e];
+      force += cast<double>(load.force);
+      torque += cast<double>(load.torque);
+      lost.contact_damping += static_cast<double>(load.damped);
+      lost.contact_slip += static_cast<double>(load.slipped);
     }
     for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e) {
       if (!walls.touching[e]) continue;

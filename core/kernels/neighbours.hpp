@@ -118,6 +118,17 @@ struct SortRow {
   GYRO_HD ParticleId partner(const PairEnd& e) const { return p.id[e.side == 0 ? pairs[e.pair].j : pairs[e.pair].i]; }
 };
 
+/// Notes at each pair where its ends stand.
+struct LocateEnds {
+  const PairEnd* ends;
+  PairEnds* at;
+
+  GYRO_HD void operator()(Index e) const {
+    PairEnds& pair = at[ends[e].pair];
+    (ends[e].side == 0 ? pair.i : pair.j) = e;
+  }
+};
+
 /// Carries the history of touching contacts over from the old list.
 template <class Real>
 struct CarryHistory {
@@ -129,6 +140,12 @@ struct CarryHistory {
     if (with_extra) now.extra[n] = {};
     now.history[n] = {};
     now.touching[n] = 0;
+    find_old(n);
+    now.loaded[now.at[n].i] = now.loaded[now.at[n].j] = now.touching[n];
+  }
+
+ private:
+  GYRO_HD void find_old(Index n) const {
     const Pair pair = now.pair[n];
     for (Index e = old.row_begin[pair.i]; e < old.row_begin[pair.i + 1]; ++e) {
       const Index m = old.ends[e].pair;

@@ -8,8 +8,8 @@
 
 namespace gyro {
 
-/// Contact of two particles: force into the pair's own slot. A kernel for Exec::for_each_picked: neighbours are looked
-/// at one by one, and those that touch are evaluated several at a time.
+/// Contact of two particles: loads into the slots of the pair's two ends. A kernel for Exec::for_each_picked:
+/// neighbours are looked at one by one, and those that touch are evaluated several at a time.
 /// @tparam Law   a ContactLaw
 /// @tparam held  forces are held over several sub-steps
 template <class Real, class Law, bool held>
@@ -34,11 +34,11 @@ struct PairForces {
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_broken;
     const bool touches = distance2 < sum * sum && ::sqrt(distance2) < sum;  // not a NaN; the guard reports it
     if (touches && !bonded) {
-      pairs.touching[n] = 1;
+      if (!pairs.touching[n]) set_touching(n, 1);
       return true;
     }
     if (pairs.touching[n]) {
-      pairs.touching[n] = 0;
+      set_touching(n, 0);
       pairs.history[n] = {};
       if constexpr (Law::keeps_extra_history) pairs.extra[n] = {};
     }
@@ -49,7 +49,7 @@ struct PairForces {
   GYRO_FLATTEN GYRO_HD void operator()(const Lanes& lanes) const {
     using D = typename Lanes::template Number<double>;
     using R = typename Lanes::template Number<Real>;
-    const auto i = lanes.first(pairs.pair), j = lanes.second(pairs.pair);
+    const auto i = lanes.index(pairs.pair, &Pair::i), j = lanes.index(pairs.pair, &Pair::j);
     const ParticleRow<D> va = lanes.row(p.motion, i), vb = lanes.row(p.motion, j);
     ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
     if constexpr (held) {  // as contact_position()
@@ -79,6 +79,11 @@ struct PairForces {
   }
 
  private:
+  GYRO_HD void set_touching(Index n, std::int8_t touching) const {
+    pairs.touching[n] = touching;
+    pairs.loaded[pairs.at[n].i] = pairs.loaded[pairs.at[n].j] = touching;
+  }
+
   /// @param arm_a, arm_b  from the centres to the contact point [m]
   template <class Lanes, class R>
   GYRO_HD void store(const Lanes& lanes, const ContactMotion<R>& c, const R& arm_a, const R& arm_b) const {
@@ -89,8 +94,10 @@ struct PairForces {
 
     const Vec3<R> lever = cross(c.normal, load.force);
     lanes.store(pairs.history, load.history);
-    lanes.store(pairs.result, PairResult<R>{load.force, arm_a * lever + load.couple, arm_b * lever - load.couple,
-                                            load.damped, load.slipped});
+    lanes.store_at(pairs.load, lanes.index(pairs.at, &PairEnds::i),
+                   EndLoad<R>{load.force, arm_a * lever + load.couple, load.damped, load.slipped});
+    lanes.store_at(pairs.load, lanes.index(pairs.at, &PairEnds::j),
+                   EndLoad<R>{-load.force, arm_b * lever - load.couple, R(0), R(0)});
   }
 };
 

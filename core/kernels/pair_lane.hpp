@@ -19,8 +19,10 @@ struct OnePair {
   static constexpr int count = 1;
   Index n;
 
-  GYRO_HD Index first(const Pair* pairs) const { return pairs[n].i; }
-  GYRO_HD Index second(const Pair* pairs) const { return pairs[n].j; }
+  template <class Struct>
+  GYRO_HD Index index(const Struct* column, Index Struct::*member) const {
+    return column[n].*member;
+  }
 
   template <class Row>
   GYRO_HD ParticleRow<double> row(const Row* rows, Index particle) const {
@@ -33,6 +35,10 @@ struct OnePair {
   template <class Struct>
   GYRO_HD void store(Struct* column, const Struct& value) const {
     column[n] = value;
+  }
+  template <class Struct>
+  GYRO_HD void store_at(Struct* column, Index row, const Struct& value) const {
+    column[row] = value;
   }
 
   template <class To, class From>

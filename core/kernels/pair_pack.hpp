@@ -17,15 +17,11 @@ struct PackOfPairs {
   static constexpr int count = N;
   const Index* n;  ///< N numbers of pairs
 
-  Pack<Index, N> first(const Pair* pairs) const {
-    Pack<Index, N> i;
-    for (int k = 0; k < N; ++k) i.v[k] = pairs[n[k]].i;
-    return i;
-  }
-  Pack<Index, N> second(const Pair* pairs) const {
-    Pack<Index, N> j;
-    for (int k = 0; k < N; ++k) j.v[k] = pairs[n[k]].j;
-    return j;
+  template <class Struct>
+  Pack<Index, N> index(const Struct* column, Index Struct::*member) const {
+    Pack<Index, N> out;
+    for (int k = 0; k < N; ++k) out.v[k] = column[n[k]].*member;
+    return out;
   }
 
   template <class Row>
@@ -40,9 +36,8 @@ struct PackOfPairs {
     static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
     alignas(64) Real lanes[numbers][N];
     for (int k = 0; k < N; ++k) {
-      Real row[numbers];
-      std::memcpy(row, column + n[k], sizeof row);
-      for (int c = 0; c < numbers; ++c) lanes[c][k] = row[c];
+      const char* row = reinterpret_cast<const char*>(column + n[k]);
+      for (std::size_t c = 0; c < numbers; ++c) std::memcpy(&lanes[c][k], row + c * sizeof(Real), sizeof(Real));
     }
     Struct<Pack<Real, N>> out;
     std::memcpy(static_cast<void*>(&out), lanes, sizeof out);
@@ -50,15 +45,13 @@ struct PackOfPairs {
   }
   template <template <class> class Struct, class Real>
   void store(Struct<Real>* column, const Struct<Pack<Real, N>>& value) const {
-    constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
-    static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
-    alignas(64) Real lanes[numbers][N];
-    std::memcpy(lanes, static_cast<const void*>(&value), sizeof lanes);
-    for (int k = 0; k < N; ++k) {
-      Real row[numbers];
-      for (int c = 0; c < numbers; ++c) row[c] = lanes[c][k];
-      std::memcpy(static_cast<void*>(column + n[k]), row, sizeof row);
-    }
+    store_rows(
+        column, [this](int k) { return n[k]; }, value);
+  }
+  template <template <class> class Struct, class Real>
+  void store_at(Struct<Real>* column, const Pack<Index, N>& row, const Struct<Pack<Real, N>>& value) const {
+    store_rows(
+        column, [&row](int k) { return row.v[k]; }, value);
   }
 
   template <class To, class From>
@@ -76,6 +69,19 @@ struct PackOfPairs {
   template <class T>
   bool any(const PackMask<T, N>& m) const {
     return any_bit(m.v);
+  }
+
+ private:
+  template <template <class> class Struct, class Real, class RowOf>
+  static void store_rows(Struct<Real>* column, const RowOf& row_of, const Struct<Pack<Real, N>>& value) {
+    constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
+    static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
+    alignas(64) Real lanes[numbers][N];
+    std::memcpy(lanes, static_cast<const void*>(&value), sizeof lanes);
+    for (int k = 0; k < N; ++k) {
+      char* row = reinterpret_cast<char*>(column + row_of(k));
+      for (std::size_t c = 0; c < numbers; ++c) std::memcpy(row + c * sizeof(Real), &lanes[c][k], sizeof(Real));
+    }
   }
 };
 

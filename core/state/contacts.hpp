@@ -33,12 +33,12 @@ struct Pair {
 };
 static_assert(declares_every_field<Pair>);
 
-/// Result of a pair for this step.
+/// What a pair does to one of its particles in this step. Work that the pair loses is booked at i.
 template <class Real>
-struct PairResult {
-  Vec3<Real> force;               ///< on i; j receives the opposite [N]
-  Vec3<Real> torque_i, torque_j;  ///< [N m]
-  Real damped, slipped;           ///< work lost in this step [J]
+struct alignas(8 * sizeof(Real)) EndLoad {
+  Vec3<Real> force;      ///< [N]
+  Vec3<Real> torque;     ///< [N m]
+  Real damped, slipped;  ///< work lost in this step [J]
 };
 
 /// One end of a pair, in the row of a particle.
@@ -47,26 +47,35 @@ struct PairEnd {
   std::int32_t side;  ///< 0: the particle is i; 1: it is j
 };
 
+/// Where the two ends of a pair stand in the rows of its particles.
+struct PairEnds {
+  Index i, j;
+};
+
 /// Columns of the pair list: pairs of particles whose surfaces are nearer than the skin.
 template <template <class> class Column, class Real>
 struct Pairs {
   Column<Pair> pair;
   Column<ContactHistory<Real>> history;  ///< zero while the pair does not touch
   Column<ExtraHistory<Real>> extra;      ///< likewise; empty unless the contact law keeps it
-  Column<PairResult<Real>> result;
-  Column<std::int8_t> touching;  ///< 1: in contact in this step
-  Column<Index> row_begin;       ///< per particle, into ends; one past the end at the last
-  Column<PairEnd> ends;          ///< rows ordered by the partner's id
+  Column<std::int8_t> touching;          ///< 1: in contact in this step
+  Column<PairEnds> at;                   ///< into ends
+  Column<Index> row_begin;               ///< per particle, into ends; one past the end at the last
+  Column<PairEnd> ends;                  ///< rows ordered by the partner's id
+  Column<EndLoad<Real>> load;            ///< of each end: a particle's loads lie side by side
+  Column<std::int8_t> loaded;            ///< of each end, 1: its pair is in contact in this step
 
   template <class F, class... P>
   static constexpr void for_each_column(F&& f, P&... p) {
     f("pair", p.pair...);
     f("history", p.history...);
     f("extra", p.extra...);
-    f("result", p.result...);
     f("touching", p.touching...);
+    f("at", p.at...);
     f("row_begin", p.row_begin...);
     f("ends", p.ends...);
+    f("load", p.load...);
+    f("loaded", p.loaded...);
   }
 };
 
