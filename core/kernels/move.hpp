@@ -18,7 +18,7 @@ GYRO_HD inline void half_kick(double dt, const Load& load, Motion& motion, Angul
 struct Move {
   ParticleView p;
   double dt;                ///< [s]
-  double half_hold_offset;  ///< as in contact_position(): lists must hold for the positions that contacts see [s]
+  double half_hold_offset;  ///< as in contact_centre(): lists must hold for the positions that contacts see [s]
   double allowed2;          ///< square of the distance a particle may move before lists are stale [m2]
   std::int32_t* stale;      ///< set to 1 by any particle that moved further
   bool with_orientation;

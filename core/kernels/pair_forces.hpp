@@ -22,17 +22,17 @@ struct PairForces {
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
   ContactConstants<Real> constants;
-  double half_hold_offset;  ///< as in contact_position() [s]
+  double half_hold_offset;  ///< as in contact_centre() [s]
   OverlapCheck deep;
 
   /// Whether the pair touches. If it does not, its history is forgotten.
   GYRO_HD bool pick(Index n) const {
     const Pair pair = pairs.pair[n];
-    const Sphere a = contact_position<held>(p, pair.i, half_hold_offset),
-                 b = contact_position<held>(p, pair.j, half_hold_offset);
-    const double sum = a.radius + b.radius, distance2 = norm2(b.x - a.x);
+    const double sum = p.position[pair.i].radius + p.position[pair.j].radius, sum2 = sum * sum;
+    const double distance2 = norm2(centre(pair.j) - centre(pair.i));
+    // The root is needed only where its rounding decides. A NaN does not touch; the guard reports it.
+    const bool touches = distance2 < (1 - 1e-15) * sum2 || (distance2 < sum2 && ::sqrt(distance2) < sum);
     const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_broken;
-    const bool touches = distance2 < sum * sum && ::sqrt(distance2) < sum;  // not a NaN; the guard reports it
     if (touches && !bonded) {
       if (!pairs.touching[n]) set_touching(n, 1);
       return true;
@@ -52,7 +52,7 @@ struct PairForces {
     const auto i = lanes.index(pairs.pair, &Pair::i), j = lanes.index(pairs.pair, &Pair::j);
     const ParticleRow<D> va = lanes.row(p.motion, i), vb = lanes.row(p.motion, j);
     ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
-    if constexpr (held) {  // as contact_position()
+    if constexpr (held) {  // as centre()
       a.vector = a.vector + D(half_hold_offset) * va.vector;
       b.vector = b.vector + D(half_hold_offset) * vb.vector;
     }
@@ -79,6 +79,7 @@ struct PairForces {
   }
 
  private:
+  GYRO_HD Vec3d centre(Index particle) const { return contact_centre<held>(p, particle, half_hold_offset); }
   GYRO_HD void set_touching(Index n, std::int8_t touching) const {
     pairs.touching[n] = touching;
     pairs.loaded[pairs.at[n].i] = pairs.loaded[pairs.at[n].j] = touching;

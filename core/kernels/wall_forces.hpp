@@ -64,13 +64,13 @@ struct WallForces {
   WallBooking booking;
   const ContactConstants<Real>* constants;  ///< of rock against each wall
   double dt;                                ///< time for which the forces act [s]
-  double half_hold_offset;                  ///< as in contact_position() [s]
+  double half_hold_offset;                  ///< as in contact_centre() [s]
   double carry_over;                        ///< share of that time beyond the window's end; 0 but for its last hold
   OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = near.entry[n];
-    const Sphere sphere = contact_position<held>(p, entry.particle, half_hold_offset);
+    const Sphere sphere{contact_centre<held>(p, entry.particle, half_hold_offset), p.position[entry.particle].radius};
     const WallPose pose = walls.poses[entry.wall];
     const WallTouches touches =
         touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, sphere.x), sphere.radius);

@@ -129,15 +129,14 @@ using ParticleView = Particles<Pointer>;
 using ConstParticleView = Particles<ConstPointer>;
 static_assert(declares_every_column<ParticleView>());
 
-/// A sphere as contacts see it: where it is or, with forces that are `held` over several steps, where
+/// The centre of a sphere as contacts see it: where it is or, with forces that are `held` over several steps, where
 /// it will be in their middle at its present velocity. So held forces are those of a leapfrog with the longer step;
 /// forces at the begin of the hold would heat an elastic impact.
 /// @param half_hold_offset  time to the middle of the hold [s]
 template <bool held>
-GYRO_HD Sphere contact_position(const ConstParticleView& p, Index n, double half_hold_offset) {
-  Sphere s = p.position[n];
-  if constexpr (held) s.x += half_hold_offset * p.motion[n].v;
-  return s;
+GYRO_HD Vec3d contact_centre(const ConstParticleView& p, Index n, double half_hold_offset) {
+  if constexpr (held) return p.position[n].x + half_hold_offset * p.motion[n].v;
+  return p.position[n].x;
 }
 
 }  // namespace gyro
