@@ -4,8 +4,8 @@
 #include "core/base/errors.hpp"
 #include "core/feed/bed.hpp"
 #include "core/feed/wall_distance.hpp"
-#include "core/laws/contact/scene_contacts.hpp"
 #include "core/laws/contact/models.hpp"
+#include "core/laws/contact/scene_contacts.hpp"
 #include "core/scene/wall_motion.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation/time_step.hpp"
 
-#include "core/laws/contact/scene_contacts.hpp"
 #include "core/laws/contact/models.hpp"
+#include "core/laws/contact/scene_contacts.hpp"
 #include "core/scene/wall_motion.hpp"
 
 #include <algorithm>

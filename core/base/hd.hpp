@@ -5,8 +5,8 @@
 
 // GYRO_HD marks a function that runs on the host and on the device. GYRO_ANY_CALLEE before a template of that kind lets
 // it call a functor of the host where only host code calls the template. On the host, GYRO_FLATTEN compiles all that a
-// function calls into it, so that packs stay in registers; GYRO_APART keeps a function out of its callers, GYRO_COLD one
-// that is rarely called. The only place in the project that asks which compiler is at work.
+// function calls into it, so that packs stay in registers; GYRO_APART keeps a function out of its callers, GYRO_COLD
+// one that is rarely called. The only place in the project that asks which compiler is at work.
 #if defined(__CUDACC__)
 #define GYRO_HD __host__ __device__
 #define GYRO_ANY_CALLEE _Pragma("nv_exec_check_disable")

@@ -140,7 +140,7 @@ TEST_CASE("A measurement has the same energies on two threads, and counts what i
   double shares = 0;
   for (const auto& [name, share] : j.at("phases").items()) shares += share.get<double>();
   CHECK(shares == Approx(1));
-  CHECK(j.at("phases").contains("bond forces"));
+  CHECK(j.at("phases").contains("advance rocks"));
   CHECK(j.at("spread").at(0) <= j.at("particle_steps_per_second"));
 }
 

@@ -49,7 +49,7 @@ std::unique_ptr<Simulation> made(const SpeedRun& run) {
   overrides.push_back("numerics.precision=" + to_string(run.precision));
   const Case input = loaded(run, overrides);
   try {
-    Assembly assembly = assemble(input, run.threads);
+    Assembly assembly = assemble(input, {.threads = run.threads});
     auto dem = make_dem(choose_device("cpu", run.threads), assembly.setup.scene, run.precision);
     return make_simulation(input, std::move(assembly.setup), std::move(dem));
   } catch (const BadKey& bad) {

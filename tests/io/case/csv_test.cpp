@@ -167,7 +167,7 @@ TEST_CASE("A point that may stand between thousands is refused where whole numbe
   const CsvTable german = table_of("size_mm;passing_percent\n500;0\n1.500;50\n2.000;100\n");
   REQUIRE(german.problems.size() == 1);
   CHECK(german.problems[0].line == 3);
-  CHECK_THAT(german.problems[0].message, Contains("write thousands without a sign") && Contains("(1 more row"));
+  CHECK_THAT(german.problems[0].message, Contains("write thousands without a separator") && Contains("(1 more row"));
   for (const char* decimal : {
            "size_mm,passing_percent\n1.125,0\n500,100\n",      // points are decimal between commas
            "size_mm;passing_percent\n1.125;0\n500.000;100\n",  // three decimals everywhere

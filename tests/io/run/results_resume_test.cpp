@@ -51,7 +51,7 @@ TEST_CASE("Results that lack rows or tables of the checkpoint are refused and st
   other = full_content();
   other.groups[3].channels.pop_back();
   CHECK_THROWS_WITH(ResultsFile(path, other, rows),
-                    Catch::Matchers::Contains("has /product/passing, which would end here"));
+                    Catch::Matchers::Contains("has /product/passing, which this run does not write"));
   CHECK(bytes(path) == before);
 }
 
