@@ -117,6 +117,7 @@ class Monitor {
     energies_ = from.get_one<EnergyTerms>("dem/energies");
     counts_ = from.get_one<Counts>("dem/counts");
     breakages_ = from.get<Breakage>("dem/breakages");
+    first_excess_.reset();
     lower_all();
   }
 

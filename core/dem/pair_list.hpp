@@ -30,6 +30,9 @@ class PairList {
     FindPairs find{rock.read(), grid, rock.bond_index(), skin, {nullptr, nullptr}};
     const auto total = static_cast<std::size_t>(count_pairs(exec, rock.count(), find));
     std::swap(now_, old_);
+    now_.at.swap(old_.at);  // only one list needs what belongs to ends
+    now_.load.swap(old_.load);
+    now_.loaded.swap(old_.loaded);
     now_.pair.resize(total);
     now_.history.resize(total);
     if (with_extra_) now_.extra.resize(total);

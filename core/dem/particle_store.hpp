@@ -52,10 +52,12 @@ class ParticleStore {
 
   /// All particles, as AdvanceRocks takes them.
   const Piece* pieces() const { return pieces_.data(); }
-  BlockLaunch piece_launch() const { return {static_cast<Index>(pieces_.size()), colour_size()}; }
+  BlockLaunch piece_launch() const {
+    return {static_cast<Index>(pieces_.size()), with_bonds_ ? colour_size() : run_length};
+  }
   /// Particles of large rocks, without their bonds.
   const Piece* large_rows() const { return large_rows_.data(); }
-  BlockLaunch large_launch() const { return {static_cast<Index>(large_rows_.size()), 0}; }
+  BlockLaunch large_launch() const { return {static_cast<Index>(large_rows_.size()), run_length}; }
   /// Large rocks, each with the begins of its colours.
   struct LargeRock {
     Index block;

@@ -27,6 +27,7 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
   }
   if (hold > 1) advance_rocks(Motions::move_on, window.first_step + window.steps - hold + 2, hold - 1);
   finish_step(hold == 1, true);
+  walls_.go_to_step(window.steps);
   walls_.end_window();
   close_window(window);
 }

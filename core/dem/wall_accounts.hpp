@@ -85,6 +85,8 @@ class WallAccounts {
   void restore(const SavedState& from, Index entries) {
     sums_ = from.get<WallSum>("walls/sum", sums_.size());
     loads_ = from.get<WallLoad>("walls/load", loads_.size());
+    kept_.clear();
+    impulses_.clear();
     Exec::upload(entry_sums_, std::vector<WallSum>(static_cast<std::size_t>(entries)));
     set_entries(entries);
   }

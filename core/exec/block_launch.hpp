@@ -8,7 +8,7 @@ namespace gyro {
 /// How many blocks a kernel is run over, how often, and how much of a block can run at once.
 struct BlockLaunch {
   Index blocks;
-  Index colour_size;  ///< items in a colour, on average over all blocks: that many threads of a GPU have work
+  Index colour_size;  ///< items in a colour on average, or rows without items: that many threads of a GPU have work
   int passes = 1;     ///< how often a block is worked on, before the next one is
 };
 

@@ -76,6 +76,7 @@ class Cpu {
 
   template <class Kernel>
   void for_each_picked(const char* label, Index n, const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
     GYRO_EXPECT(n >= 0);
     const PhaseTimer::Mark mark = timer_.begin(label);
     if (n < inline_limit || threads_ == 1) {
@@ -89,6 +90,7 @@ class Cpu {
 
   template <class Kernel>
   void for_each_block(const char* label, const BlockLaunch& launch, const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
     if (launch.blocks == 0) return;
     const PhaseTimer::Mark mark = timer_.begin(label);
     if (threads_ == 1 || kernel.rows(launch.blocks - 1).end - kernel.rows(0).begin < inline_limit) {
@@ -110,6 +112,7 @@ class Cpu {
 
   template <class Kernel>
   void for_each_colour(const char* label, std::span<const Index> colour_begin, const Kernel& kernel) {
+    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
     const PhaseTimer::Mark mark = timer_.begin(label);
     for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) {
       const Index begin = colour_begin[c], items = colour_begin[c + 1] - begin;
@@ -117,7 +120,10 @@ class Cpu {
         using Pack = typename Kernel::Pack;
         return t == threads_ ? begin + items : begin + items / Pack::count * t / threads_ * Pack::count;
       };
-      team_->run([&](int t) { work_on_items({share_begin(t), share_begin(t + 1)}, kernel); });
+      if (items < inline_limit)
+        work_on_items({begin, begin + items}, kernel);
+      else
+        team_->run([&](int t) { work_on_items({share_begin(t), share_begin(t + 1)}, kernel); });
     }
     timer_.end(mark);
   }
@@ -222,24 +228,29 @@ class Cpu {
       for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k, pass);
     }
   }
-  /// Collects what is picked and works on it in packs; what is left is done one by one.
+  /// Collects what is picked and works on it in packs; what is left at the end is done one by one.
   template <class Kernel>
   static void work_on_picked(const IndexRange& range, const Kernel& kernel) {
-    constexpr int lanes = Kernel::Pack::count;
-    Index picked[64];
+    constexpr int room = 64, lanes = Kernel::Pack::count;
+    static_assert(room % lanes == 0);
+    Index picked[room];
     int count = 0;
-    const auto work = [&] {
-      int k = 0;
-      if constexpr (lanes > 1)
-        for (; k + lanes <= count; k += lanes) kernel(typename Kernel::Pack{picked + k});
-      return k;
-    };
     for (Index i = range.begin; i < range.end; ++i) {
       if (!kernel.pick(i)) continue;
-      picked[count++] = i;
-      if (count == 64) work(), count = 0;
+      if constexpr (lanes == 1) {
+        kernel(typename Kernel::Lane{i});
+      } else {
+        picked[count++] = i;
+        if (count == room) {
+          for (int k = 0; k < room; k += lanes) kernel(typename Kernel::Pack{picked + k});
+          count = 0;
+        }
+      }
     }
-    for (int k = work(); k < count; ++k) kernel(typename Kernel::Lane{picked[k]});
+    int k = 0;
+    if constexpr (lanes > 1)
+      for (; k + lanes <= count; k += lanes) kernel(typename Kernel::Pack{picked + k});
+    for (; k < count; ++k) kernel(typename Kernel::Lane{picked[k]});
   }
   /// Packs, and what is left one by one.
   template <class Kernel>

@@ -83,6 +83,7 @@ template <class Real, class Law>
 struct LargeRockBonds {
   using Lane = OneLane;
   using Pack = PackLanes<native_lanes>;
+  static constexpr int blocks_at_once = AdvanceRocks<Real, Law>::blocks_at_once;
 
   BondForces<Real, Law> bonds;
   Index block;

@@ -7,7 +7,7 @@
 
 namespace gyro {
 
-/// N neighbouring bonds, `first` a multiple of N. The loads are computed together and added to the
+/// N neighbouring bonds from any `first` on. The loads are computed together and added to the
 /// particles' rows one bond after the other. N is 4 or 8.
 template <int N>
 struct PackLanes {

@@ -60,6 +60,7 @@ enum BlockState : std::int32_t {
   block_intact = 0,  ///< no bond has failed: bonded pairs are not listed as contacts to come
   block_broken = 1   ///< raise_flag() sets it
 };
+static_assert(block_broken == 1);
 
 /// The particles and bonds of one rock, contiguous in their arrays. Bonds never cross blocks, so a
 /// thread (CPU) or a thread block (GPU) owns a rock.

@@ -9,7 +9,7 @@
 
 namespace gyro {
 
-/// Particles that are moved together with the bonds between them: a rock, or a run of particles without their bonds.
+/// Particles that are moved together with the bonds between them: a rock, or a run of particles without bonds.
 struct Piece {
   Index first_particle, end_particle;
   Index block;  ///< whose bonds are evaluated as well; none: no bonds
@@ -24,7 +24,7 @@ struct Pieces {
 
 /// Particles in a piece without bonds.
 inline constexpr Index run_length = 128;
-/// Bonds from which on a rock is large: one thread's work on it would keep the others waiting, and its state does not
+/// Bonds, rounded up to bond_alignment, from which on a rock is large: one thread's work on it would keep the others waiting, and its state does not
 /// stay in a core's cache.
 inline constexpr Index large_rock = 8192;
 
@@ -38,6 +38,7 @@ inline Pieces make_pieces(const std::vector<Block>& blocks, Index particles) {
   Index next = 0;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Block& b = blocks[k];
+    if (b.first_bond == b.end_bond) continue;
     add_runs(pieces.together, next, b.first_particle);
     if (b.end_bond - b.first_bond < large_rock) {
       pieces.together.push_back({b.first_particle, b.end_particle, static_cast<Index>(k)});

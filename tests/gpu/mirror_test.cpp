@@ -13,9 +13,9 @@ using namespace gyro::test;
 namespace {
 
 template <class Real>
-Outcome on_mirror() {
+Outcome on_mirror(const Scene& scene) {
   DeviceMemory::instance().forget();
-  DemSolver<Mirror, Real> dem(breaking_scene(), Mirror{});
+  DemSolver<Mirror, Real> dem(scene, Mirror{});
   return break_rocks(dem);
 }
 
@@ -24,9 +24,11 @@ Outcome on_mirror() {
 TEST_CASE("The host never touches device memory, and one lane gives the bits of packs", "[gpu]") {
   // Packs of bonds against single bonds, forward against backward, many threads against one.
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
-  const Outcome cpu = break_rocks(*make_cpu_dem(breaking_scene(), precision, 2));
+  Scene scene = breaking_scene();
+  scene.substeps = GENERATE(1, 3);
+  const Outcome cpu = break_rocks(*make_cpu_dem(scene, precision, 2));
   require_busy(cpu);
-  check_same(cpu, precision == Precision::mixed ? on_mirror<float>() : on_mirror<double>());
+  check_same(cpu, precision == Precision::mixed ? on_mirror<float>(scene) : on_mirror<double>(scene));
 }
 
 TEST_CASE("A large rock has the same bits on an executor that works on the bonds of a colour in any order", "[gpu]") {
@@ -35,6 +37,7 @@ TEST_CASE("A large rock has the same bits on an executor that works on the bonds
   add_rigid_motion(block, {0, 0, -40}, {0, 0, 0});
   Scene scene = breaking_scene();
   scene.walls.resize(1);
+  scene.substeps = GENERATE(1, 3);
   const Window window{.first_step = 0, .steps = 60, .dt = breaking_dt};
   const auto cpu = make_cpu_dem(scene, Precision::mixed, 2);
   DeviceMemory::instance().forget();

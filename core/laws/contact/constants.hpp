@@ -16,13 +16,27 @@ struct ContactConstants {
   T rolling;    ///< rolling friction mu_r [-]
   T dt;         ///< time for which the forces act: the step, or the hold of several sub-steps [s]
   T unloading;  ///< 1/e^2 >= 1: unloading over loading stiffness of a hysteretic spring [-]
+
+  template <class F, class... C>
+  static constexpr void for_each_field(F&& f, C&... c) {
+    f("youngs", c.youngs...);
+    f("shear", c.shear...);
+    f("damping", c.damping...);
+    f("friction", c.friction...);
+    f("rolling", c.rolling...);
+    f("dt", c.dt...);
+    f("unloading", c.unloading...);
+  }
 };
+static_assert(declares_every_field<ContactConstants<double>>);
 
 /// The same constants in another number type, or one copy for each lane of a pack. For the host.
 template <class To, class From>
 ContactConstants<To> cast(const ContactConstants<From>& law) {
-  return {To(law.youngs),  To(law.shear), To(law.damping),  To(law.friction),
-          To(law.rolling), To(law.dt),    To(law.unloading)};
+  ContactConstants<To> out;
+  ContactConstants<To>::for_each_field([](const char*, To& to, const From& from) { to = static_cast<To>(from); }, out,
+                                       law);
+  return out;
 }
 
 /// Constants of the contact of materials m and n, E = 2 G (1 + nu). Host only.

@@ -97,13 +97,17 @@ void check_same(const Outcome& a, const Outcome& b) {
 
 TEST_CASE("The number of threads changes no bit", "[dem][bits]") {
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
-  const Outcome one = outcome(busy_scene(), precision, 1, busy_rocks(), 150);
+  const ContactModel model =
+      GENERATE(ContactModel{}, ContactModel{NormalModel::hysteretic, RollingModel::spring_dashpot});
+  Scene scene = busy_scene();
+  for (PairProperties& pair : scene.pairs) pair.model = model;
+  const Outcome one = outcome(scene, precision, 1, busy_rocks(), 150);
   REQUIRE(one.breakages.size() > 20);
   REQUIRE(one.particles.size() > 1400);
   REQUIRE(norm(one.walls[4].force) > 0);
   for (const int threads : {2, 3, 7}) {
     INFO(threads << " threads");
-    const Outcome other = outcome(busy_scene(), precision, threads, busy_rocks(), 150);
+    const Outcome other = outcome(scene, precision, threads, busy_rocks(), 150);
     check_same(one, other);
     CHECK(one.residual == other.residual);
   }

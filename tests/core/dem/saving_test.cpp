@@ -5,6 +5,10 @@
 #include "tests/gpu/mirror.hpp"
 #include "tests/gpu/same_bits.hpp"
 
+#include "core/base/errors.hpp"
+
+#include <algorithm>
+#include <array>
 #include <functional>
 
 using namespace gyro;
@@ -67,8 +71,8 @@ bool same_columns(const SavedState& a, const SavedState& b) {
 }
 
 /// The scene while its rocks break.
-std::unique_ptr<Dem> busy(Precision precision) {
-  auto dem = on_cpu(precision, 1)();
+std::unique_ptr<Dem> busy(Precision precision, int hold = 1) {
+  auto dem = on_cpu(precision, 1, hold)();
   dem->insert(falling_rocks(0, 0, 0.045));
   std::int64_t step = 0;
   run(*dem, breaking_dt, step, 3000, 150);
@@ -105,7 +109,8 @@ TEST_CASE("A saved state continues with the same bits on another executor", "[de
 
 TEST_CASE("A restored scene reports and saves the same as the one that was saved", "[dem]") {
   const Precision precision = GENERATE(Precision::mixed, Precision::double_);
-  const auto before = busy(precision), after = on_cpu(precision, 1)();
+  const int hold = GENERATE(1, 3);
+  const auto before = busy(precision, hold), after = on_cpu(precision, 1, hold)();
   const SavedState saved = before->save();
   after->restore(saved);
   REQUIRE(saved.get<Pair>("contacts/pair").size() > 5);
@@ -117,6 +122,36 @@ TEST_CASE("A restored scene reports and saves the same as the one that was saved
   CHECK(same_bytes(before->wall_loads(), after->wall_loads()));
   CHECK(same_bytes(before->wall_poses(), after->wall_poses()));
   CHECK(same_breakages(before->take_breakages(), after->take_breakages()));
+  const std::array leaving{before->particles().id[3]};
+  for (Dem* dem : {before.get(), after.get()}) dem->remove(leaving);
+  CHECK(same_bytes(std::vector{before->energy()}, std::vector{after->energy()}));
+}
+
+TEST_CASE("After a window that was given up, a solver can be restored, and continues with the same bits", "[dem]") {
+  Scene scene = breaking_scene();
+  scene.wall_impulses = true;
+  const auto whole = make_cpu_dem(scene, Precision::mixed, 1), given_up = make_cpu_dem(scene, Precision::mixed, 1);
+  whole->restore(busy(Precision::mixed)->save());
+  whole->take_wall_impulses();
+  const SavedState saved = whole->save();
+
+  given_up->restore(saved);
+  double asked_last = 0;
+  given_up->give_up_when([&](double done) { return (asked_last = done) > 0.9; });
+  CHECK_THROWS_AS(given_up->advance({.first_step = 3000, .steps = 3000, .dt = breaking_dt}, {}), WindowGivenUp);
+  CHECK(asked_last == Approx(0.9).margin(1e-3));
+  given_up->give_up_when({});
+  given_up->restore(saved);
+  for (Dem* dem : {whole.get(), given_up.get()}) {
+    std::int64_t step = 3000;
+    run(*dem, breaking_dt, step, 600, 150);
+  }
+  CHECK(same_columns(whole->save(), given_up->save()));
+  const std::vector<WallImpulse> a = whole->take_wall_impulses(), b = given_up->take_wall_impulses();
+  REQUIRE(a.size() > 10);
+  CHECK(std::ranges::equal(a, b, [](const WallImpulse& x, const WallImpulse& y) {
+    return x.wall == y.wall && same(x.centre, y.centre) && same(x.impulse, y.impulse) && x.slip == y.slip;
+  }));
 }
 
 TEST_CASE("A state of the other precision, or with a column missing or too short, is refused", "[dem]") {

@@ -144,6 +144,64 @@ TEST_CASE("Colours of a large block are worked on one after the other, each by a
   }
 }
 
+namespace {
+
+template <int N>
+struct Picked {
+  static constexpr int count = N;
+  const Index* n;
+  Index operator[](int k) const { return n[k]; }
+};
+template <>
+struct Picked<1> {
+  static constexpr int count = 1;
+  Index n;
+  Index operator[](int) const { return n; }
+};
+
+/// Counts how often each number is looked at and worked on; one of three is picked, or all.
+template <int N>
+struct CountPicked {
+  using Lane = Picked<1>;
+  using Pack = Picked<N>;
+  int* looks;
+  int* works;
+  bool all;
+
+  bool pick(Index i) const {
+    ++looks[i];
+    return all || i % 3 == 1;
+  }
+  template <class Lanes>
+  void operator()(const Lanes& lanes) const {
+    for (int k = 0; k < Lanes::count; ++k) ++works[lanes[k]];
+  }
+};
+
+template <int N>
+void check_picked(Index n, int threads, bool all) {
+  std::vector<int> looks(static_cast<std::size_t>(n)), works(looks);
+  Cpu cpu(threads);
+  cpu.for_each_picked("pick", n, CountPicked<N>{looks.data(), works.data(), all});
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    CAPTURE(N, n, threads, all, i);
+    REQUIRE(looks[i] == 1);
+    REQUIRE(works[i] == (all || i % 3 == 1 ? 1 : 0));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("What is picked is worked on once, in packs of any width", "[exec]") {
+  const Index n = GENERATE(0, 1, 7, 63, 64, 65, 129, 191, 192, 1000, 5003);
+  const int threads = GENERATE(1, 2, 7);
+  for (const bool all : {true, false}) {
+    check_picked<1>(n, threads, all);
+    check_picked<4>(n, threads, all);
+    check_picked<8>(n, threads, all);
+  }
+}
+
 TEST_CASE("Rows of all blocks are prepared, also of blocks without items, and other rows are unchanged", "[exec]") {
   const Blocks blocks(9);
   const Mixed out = mixed(blocks, 2);
