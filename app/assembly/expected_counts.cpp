@@ -96,12 +96,10 @@ std::vector<std::string> check_memory(const ExpectedCounts& counts, const Setup&
     throw BadKey(setup.feed ? "feed" : "particles", found + ": " + too_much + advice);
   if (!(counts.bytes > allowed)) return {};
   const std::string at_end = "by the end of the run the feed adds " + in_words(counts.fed_particles) +
-                             " particles, about " + in_words(counts.bytes / 1e9) + " GB in all";
-  if (!setup.discharge)
-    throw BadKey("feed.rate", at_end + ": " + too_much +
-                                  ", and without a crusher nothing is removed; feed less, or shorten time.duration");
-  return {at_end + " if nothing were discharged: " + too_much +
-          "; the run ends with exit code 6 if the chamber holds that much at a time"};
+                             " particles, about " + in_words(counts.bytes / 1e9) +
+                             " GB in all, if all of it finds room";
+  return {at_end + (setup.discharge ? " and nothing is discharged: " : " (without a crusher nothing is removed): ") +
+          too_much + "; the run ends with exit code 6 if the scene holds that much at a time"};
 }
 
 }  // namespace
@@ -145,7 +143,8 @@ std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup&
   const std::string found = counted(counts) + sizes_of(setup.library);
   if (!(counts.particles <= max_particles_of_run)) throw BadKey(key, found + ": more than 2e9 particles" + advice);
   if (!(counts.particles + counts.fed_particles <= max_particles_of_run))
-    throw BadKey(key, found + ", and the feed adds more than 2e9 particles over the run" + advice);
+    throw BadKey(key,
+                 found + ", and the feed adds more than 2e9 particles over the run, if all of it finds room" + advice);
   std::vector<std::string> notes = check_memory(counts, setup, found, memory);
   if (counts.particles > many_particles) notes.push_back("large case: " + found);
   return notes;

@@ -34,11 +34,10 @@ ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, doubl
 /// @throws BadKey for the time in the case that is to blame, BadInput for `until`
 void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoice& step, std::optional<double> until);
 
-/// Refuses cases with more particles than ids, or more memory than is free. What the
-/// rate feeds over the run is refused where nothing takes it away, and only noted where a crusher discharges, since
-/// nobody knows how much of it is in the chamber at the same time.
+/// Refuses cases with more particles than ids, and starts that need more memory than is free. What the rate feeds over
+/// the run is only noted: nobody knows how much of it finds room, and how much is in the scene at the same time.
 /// @return notes on large but possible cases
-/// @throws BadKey for `feed`, `feed.rate`, `particles`, `coupling.interval` or `time.duration`, with the counts
+/// @throws BadKey for `feed`, `particles` or `coupling.interval`, with the counts
 std::vector<std::string> check_counts(const ExpectedCounts& counts, const Setup& setup,
                                       const FreeMemory& memory = free_memory());
 

@@ -2,26 +2,20 @@
 #include "app/assembly/lid.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/in_mm.hpp"
 #include "app/assembly/walls.hpp"
+#include "app/simulation/time_step.hpp"
 #include "core/feed/region.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <limits>
 
 namespace gyro {
 namespace {
 
-std::string millimetres(double length) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g mm", 1e3 * length);
-  return text;
-}
-
 /// @throws BadKey if rock reaches above the lid
 void require_below(double lid, double top, const std::string& key, const std::string& what) {
   if (top > lid)
-    throw BadKey(key, what + " reaches to z = " + millimetres(top) + ", above the lid at " + millimetres(lid) +
+    throw BadKey(key, what + " reaches to z = " + in_mm(top) + ", above the lid at " + in_mm(lid) +
                           ", which nothing passes; give crusher.lid at least this height, or lower the rock");
 }
 
@@ -38,15 +32,6 @@ void check_feed(double lid, const FeedPlan& plan, const RockLibrary& library) {
     const RockTemplate& rock = library.rocks[static_cast<std::size_t>(fixed.rock)];
     require_below(lid, fixed.position.z + rock.bounding_radius, "feed.at", "a rock");
   }
-}
-
-double smallest_radius(const Setup& setup) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const RockTemplate& rock : setup.library.rocks)
-    for (const double radius : rock.radii) smallest = std::min(smallest, radius);
-  for (const NewRock& rock : setup.start)
-    for (const NewParticle& p : rock.particles) smallest = std::min(smallest, p.radius);
-  return smallest;
 }
 
 const Wall& concave_of(std::span<const Wall> walls) {
@@ -69,8 +54,8 @@ Wall make_lid(double height, std::span<const Wall> walls) {
   if (!outline) throw BadInput("the lid needs a rim to stand on; give a fixed concave, by crusher.profile or stl");
   const double rim = outline->rim();
   if (!(height > rim))
-    throw BadInput("the lid at z = " + millimetres(height) + " is not above the rim of the concave at " +
-                   millimetres(rim) + "; raise it, so that there is room for the rock that is fed");
+    throw BadInput("the lid at z = " + in_mm(height) + " is not above the rim of the concave at " + in_mm(rim) +
+                   "; raise it, so that there is room for the rock that is fed");
   // Upwards, then inwards: rock is on the left of the direction of travel.
   const double radius = outline->radius(rim);
   Wall lid;
@@ -87,9 +72,9 @@ void check_lid(double height, const Setup& setup) {
     for (const NewParticle& p : rock.particles)
       require_below(height, p.position.z + p.radius, "particles", "a particle");
   const double gap = rim_gap(walls);
-  if (gap > 2 * smallest_radius(setup))
-    throw BadKey("crusher.lid", "the rim of the concave is not round: between it and the lid are up to " +
-                                    millimetres(gap) + ", more than the smallest particle; close the mesh at its top");
+  if (gap > 2 * smallest_radius(setup.library, setup.start))
+    throw BadKey("crusher.lid", "the rim of the concave is not round: between it and the lid are up to " + in_mm(gap) +
+                                    ", more than the smallest particle; close the mesh at its top");
 }
 
 }  // namespace gyro

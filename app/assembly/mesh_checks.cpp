@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/assembly/mesh_checks.hpp"
 
+#include "app/assembly/in_mm.hpp"
 #include "core/base/errors.hpp"
 #include "io/schema/schema.hpp"
 
@@ -18,12 +19,6 @@ constexpr double round_within = 0.02;  // a polygon of 12 sides is 1.7 % off a c
 
 bool equal(double a, double b) {
   return std::abs(a - b) <= round_within * std::max(std::abs(a), std::abs(b));
-}
-
-std::string in_mm(double length) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g mm", 1e3 * length);
-  return text;
 }
 
 /// Diameter or height, whichever is larger [m].
@@ -87,7 +82,7 @@ std::vector<std::string> setting_notes(const MeshSetting& setting, const Gyratio
 
 std::vector<std::string> size_notes(const Case& input, const std::vector<Wall>& walls, double rock) {
   std::vector<std::string> notes;
-  for (std::size_t k = 0; k < walls.size(); ++k) {
+  for (std::size_t k = 0; k < input.walls.size(); ++k) {  // not the lid, which the program makes
     const auto* mesh = std::get_if<TriangleMesh>(&walls[k].shape);
     const auto* file = std::get_if<MeshFile>(&input.walls[k].shape);
     const auto* profile = std::get_if<ProfileShape>(&walls[k].shape);

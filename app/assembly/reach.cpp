@@ -37,8 +37,16 @@ std::optional<Extents> box_of(const Wall& wall) {
   return box;
 }
 
-/// Where rock appears.
-std::optional<Extents> rock_box(const Case& input, const Setup& setup) {
+using Boxes = std::vector<std::optional<Extents>>;  ///< one per wall
+
+Boxes boxes_of(const std::vector<Wall>& walls) {
+  Boxes boxes;
+  for (const Wall& wall : walls) boxes.push_back(box_of(wall));
+  return boxes;
+}
+
+/// Where rock appears. @param boxes  of the walls
+std::optional<Extents> rock_box(const Case& input, const Setup& setup, const Boxes& boxes) {
   std::optional<Extents> box;
   for (const NewRock& rock : setup.start)
     for (const NewParticle& p : rock.particles) add(box, around(p.position));
@@ -46,7 +54,7 @@ std::optional<Extents> rock_box(const Case& input, const Setup& setup) {
   for (const FixedRock& rock : setup.feed->fixed) add(box, around(rock.position));
   const Index above = input.feed->above;
   if (above != none)
-    if (const auto wall = box_of(setup.scene.walls[static_cast<std::size_t>(above)])) add(box, *wall);
+    if (const auto& wall = boxes[static_cast<std::size_t>(above)]) add(box, *wall);
   return box;
 }
 
@@ -67,11 +75,10 @@ double gap(const Extents& rock, const Extents& wall, const Vec3d& gravity, doubl
 }
 
 /// How far a wall travels, or the rock on it.
-double travel(const Wall& wall, double end) {
+double travel(const Wall& wall, const std::optional<Extents>& box, double end) {
   if (const auto* line = std::get_if<LinearMotion>(&wall.motion)) return norm(line->velocity) * end;
   if (const auto* circle = std::get_if<CircularMotion>(&wall.motion)) return 2 * circle->radius;
   const auto* turn = std::get_if<RotationMotion>(&wall.motion);
-  const auto box = box_of(wall);
   return turn == nullptr || !box ? 0 : norm(box->middle() - turn->point) + box->largest();
 }
 
@@ -99,25 +106,26 @@ std::string advice(const CaseWall& wall, const char* keys) {
 }  // namespace
 
 std::vector<std::string> reach_notes(const Case& input, const Setup& setup, double end) {
-  std::optional<Extents> rock = rock_box(input, setup);
-  if (!rock) return {};
   const std::vector<Wall>& walls = setup.scene.walls;
+  const Boxes boxes = boxes_of(walls);
+  std::optional<Extents> rock = rock_box(input, setup, boxes);
+  if (!rock) return {};
   const double fall = 0.5 * norm(setup.scene.gravity) * end * end;
   double carried = 20 * removal_depth(setup.library, setup.start) / 2;  // 10 rocks
-  for (const Wall& wall : walls) carried = std::max(carried, travel(wall, end));
+  for (std::size_t w = 0; w < walls.size(); ++w) carried = std::max(carried, travel(walls[w], boxes[w], end));
   std::vector<bool> reached(walls.size(), false);
   for (bool grows = true; grows;) {  // rock goes on from each wall that it reaches
     grows = false;
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      const auto box = box_of(walls[w]);
+      const auto& box = boxes[w];
       if (reached[w] || !box || gap(*rock, *box, setup.scene.gravity, fall) > diagonal(*rock) + carried) continue;
       reached[w] = grows = true;
       add(rock, *box);
     }
   }
   std::vector<std::string> notes;
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    const auto box = box_of(walls[w]);
+  for (std::size_t w = 0; w < input.walls.size(); ++w) {  // not the lid, which the program makes
+    const auto& box = boxes[w];
     if (reached[w] || !box) continue;
     notes.push_back(subject(input.walls[w]) +
                     in_words("it lies %.4g m from all rock, so that nothing touches it",
@@ -130,7 +138,7 @@ std::vector<std::string> reach_notes(const Case& input, const Setup& setup, doub
 std::vector<std::string> tiny_wall_notes(const Case& input, const Setup& setup) {
   const double smallest = 2 * smallest_radius(setup.library, setup.start);
   std::vector<std::string> notes;
-  for (std::size_t w = 0; w < setup.scene.walls.size(); ++w) {
+  for (std::size_t w = 0; w < input.walls.size(); ++w) {  // not the lid, which the program makes
     const auto box = box_of(setup.scene.walls[w]);
     if (!box || !std::isfinite(smallest) || box->largest() >= smallest) continue;
     notes.push_back(subject(input.walls[w]) + in_words("%.3g mm long, ", 1e3 * box->largest()) +

@@ -36,8 +36,8 @@ class RunOutput {
   double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
   /// Whether windows were left out, or the present state is not finite.
   bool lost(const Simulation& simulation);
-  /// Writes the last row, unless it is lost, and the fragments that are left in the scene, and closes the files. @param
-  /// simulation inspected at its end
+  /// Writes the last row, unless it is lost, and the fragments that are left in the scene, and closes the files.
+  /// @param simulation  inspected at its end
   void close(Simulation& simulation);
   /// Closes the files without the row of an interval that is not complete.
   void close();

@@ -66,11 +66,10 @@ RunStatus CaseRun::run() {
   Summary summary = base_summary();
   try {
     guarded_loop(summary);
-    const bool lost = output_.lost(*simulation_);
-    if (given_up_) {
+    if (given_up_) {  // the scene is in the middle of the window
       output_.close();
     } else {
-      if (lost)
+      if (output_.lost(*simulation_))
         log_.lost_rows();
       else
         simulation_->inspect();  // for the row of an interval that is not complete

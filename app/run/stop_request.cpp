@@ -28,8 +28,7 @@ extern "C" void on_signal(int signal) {
   if (signals_seen == 0)
     say(signal == SIGINT
             ? "\nfinishing this window, or giving it up if it takes more than 5 s, and writing a checkpoint; press "
-              "Ctrl-C "
-              "again to stop at once\n"
+              "Ctrl-C again to stop at once\n"
             : "\nfinishing this window, or giving it up if it takes more than 5 s, and writing a checkpoint\n");
   signals_seen = signals_seen + 1;
 }

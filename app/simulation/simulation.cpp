@@ -91,7 +91,7 @@ WindowResult Simulation::advance(int max_steps) {
   result.window = {state_.step, steps_ahead(max_steps), setup_.scene.dt};
 
   const MantlePath path = drivetrain_ ? drivetrain_->predict(result.window) : MantlePath{};  // 1. the mantle leads
-  dem_->advance(result.window, path);                                                        // 2. the rock responds
+  advance_rock(result.window, path);                                                         // 2. the rock responds
   state_.step += result.window.steps;
   note_load(result, path);
   if (drivetrain_) drivetrain_->advance(result.window, result.load);  // 3. the drivetrain catches up
@@ -107,6 +107,15 @@ WindowResult Simulation::advance(int max_steps) {
   if (result.inspected) inspect();  // 6. fragments are counted, product is removed
   result.left = take_left();
   return result;
+}
+
+void Simulation::advance_rock(const Window& window, const MantlePath& path) {
+  try {
+    dem_->advance(window, path);
+  } catch (const WindowGivenUp&) {
+    given_up_ = true;
+    throw;
+  }
 }
 
 /// What the walls report, and the load of the gyrating ones on the drive.
@@ -177,6 +186,7 @@ void Simulation::inspect() {
   state_.largest_fragment = 0;
   for (const Fragment& f : table.rows) state_.largest_fragment = std::max(state_.largest_fragment, f.mass);
   if (product_) count_product(particles, table);
+  counted_ = mass_count(product_ ? product_->inside(particles) : static_cast<std::int64_t>(particles.size()));
 }
 
 /// Counts what has left the chamber, analyses what has not, and removes what lies far below the discharge plane.
@@ -235,16 +245,20 @@ FeedAccount Simulation::fed() const {
   return feed_ ? feed_->account() : FeedAccount{};
 }
 
-MassCount Simulation::mass_count() const {
+MassCount Simulation::mass_count(std::int64_t inside) const {
   MassCount count;
   count.fed = state_.particles_inserted;
-  count.inside = dem_->counts().particles;
+  count.inside = inside;
   if (product_) {
     count.discharged = product_->state().particles;
     count.escaped = product_->state().escaped_particles;
-    count.inside = product_->inside(dem_->particles());
   }
   return count;
+}
+
+MassCount Simulation::mass_count() const {
+  if (given_up_) return counted_;
+  return mass_count(product_ ? product_->inside(dem_->particles()) : dem_->counts().particles);
 }
 
 SavedState Simulation::save() const {
@@ -283,6 +297,7 @@ void Simulation::restore(const SavedState& s) {
   if (hold_up_) hold_up_.emplace(rock_density_, setup_.discharge->sieves, s.get_one<HoldUp::State>("hold_up"));
   ledger_.restore(s.get_one<Ledger::State>("ledger"));
   momentum_.restore(s.get_one<MomentumBalance::State>("momentum"));
+  counted_ = mass_count();
 }
 
 }  // namespace gyro

@@ -90,6 +90,7 @@ class Simulation {
   std::vector<std::string> take_drive_notes() {
     return drivetrain_ ? drivetrain_->take_notes() : std::vector<std::string>{};
   }
+  /// Particles fed, and where they are; after a window was given up, those of the last inspection.
   MassCount mass_count() const;
   std::int64_t fragments() const { return state_.fragments; }          ///< at the last inspection
   double largest_fragment() const { return state_.largest_fragment; }  ///< mass of the heaviest at that time [kg]
@@ -128,6 +129,7 @@ class Simulation {
   void start();
   void restore(const SavedState& saved);
   int steps_ahead(int max_steps) const;
+  void advance_rock(const Window& window, const MantlePath& path);
   void insert(std::span<const NewRock> rocks);
   void feed_rock();
   void note_load(WindowResult& result, const MantlePath& path) const;
@@ -135,6 +137,7 @@ class Simulation {
   void open_balances();
   bool inspection_due() const;
   void count_product(const ParticleSnapshot& particles, const FragmentTable& table);
+  MassCount mass_count(std::int64_t inside) const;
 
   Setup setup_;
   double rock_density_;  ///< [kg/m3]
@@ -149,6 +152,8 @@ class Simulation {
   std::optional<std::string> verdict_;
   State state_;
   std::vector<FragmentRecord> left_;
+  MassCount counted_;               ///< by the last inspection, or when the state was restored
+  bool given_up_ = false;           ///< the scene is in the middle of a window
   std::int64_t inspected_at_ = -1;  ///< step of the last inspection
 };
 

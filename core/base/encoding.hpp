@@ -6,8 +6,8 @@
 
 namespace gyro {
 
-/// Length of the UTF-8 sequence at the front of a text, 0 if it is none (RFC 3629: no overlong forms, no surrogates,
-/// nothing above U+10FFFF), or a zero byte.
+/// Length of the UTF-8 sequence at the front of a text; 0 if there is a zero byte or bytes that are not UTF-8 (RFC
+/// 3629: no overlong forms, no surrogates, nothing above U+10FFFF).
 inline std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
   const auto follows = [&](std::size_t k, unsigned low = 0x80, unsigned high = 0xBF) {

@@ -9,8 +9,8 @@
 
 namespace gyro {
 
-/// A text for a message: bytes that are no UTF-8, and control characters except line feed and tab, become \xNN. What a
-/// message quotes of a file could otherwise end it (a zero byte), change the terminal, or not fit into JSON.
+/// A text for a message: bytes that are not UTF-8, and control characters except line feed and tab, become \xNN. What
+/// a message quotes of a file could otherwise end it (a zero byte), change the terminal, or not fit into JSON.
 inline std::string printable(std::string_view text) {
   constexpr const char* digits = "0123456789ABCDEF";
   std::string shown;

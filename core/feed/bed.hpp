@@ -38,7 +38,7 @@ class Bed {
   };
 
   /// Calls visit(number, distance at which the surfaces are `gap` apart) for the spheres nearer than that, until
-  /// it returns true; large ones first.
+  /// it returns true; in any order.
   template <class Visit>
   void visit_near(const Vec3d& centre, double radius, double gap, const Visit& visit) const;
   /// Number of cells that a search covers.

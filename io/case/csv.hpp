@@ -30,11 +30,10 @@ std::string rows_like_this(std::size_t more);
 
 /// Reads a table in the forms in which spreadsheets write it. The header decides whether commas, semicolons or tabs
 /// separate the cells. Quotes, decimal points, a byte-order mark and any line ends are read; decimal commas are read if
-/// they are unambiguous: "1,500" is
-/// refused unless another cell, such as 2,5 or 0,125, shows that the commas of the file are decimal; so is "1.500"
-/// beside whole numbers below 1000, in a file of semicolons or tabs that has no other decimal points. Where all numbers
-/// of a column are like 1.500, the points are decimal. Lines that begin with #, empty rows and empty columns after the
-/// last are skipped. A cause that many rows share is reported as one problem.
+/// they are unambiguous: "1,500" is refused unless another cell, such as 2,5 or 0,125, shows that the commas of the
+/// file are decimal; so is "1.500" beside whole numbers below 1000, in a file of semicolons or tabs that has no other
+/// decimal points. Where all numbers of a column are like 1.500, the points are decimal. Lines that begin with #, empty
+/// rows and empty columns after the last are skipped. A cause that many rows share is reported as one problem.
 /// @param header  required columns, in this order
 /// @param groups  optional columns that may follow in this order; each group must be complete or absent
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& header,

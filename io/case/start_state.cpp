@@ -79,10 +79,12 @@ void read_bonds(const fs::path& file, bool rocks_given, CaseTables& tables, Case
   std::vector<std::pair<StartBond, int>> read;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const std::vector<double>& row = table.rows[k];
-    const auto bad = [&](const std::string& message) { checker.expect(false, k, message); };
+    const auto bad = [&](std::string_view message) { checker.expect(false, k, message); };
     const Index i = row_of(tables.particles, row[0]), j = row_of(tables.particles, row[1]);
     if (i == none || j == none) {
-      bad("there is no particle " + number_text(i == none ? row[0] : row[1]) + "; give an id of particles.file");
+      checker.bad(
+          table.lines[k], "no particle",
+          "there is no particle " + number_text(i == none ? row[0] : row[1]) + "; give an id of particles.file");
       continue;
     }
     const double length = row.size() > 2 ? row[2] : norm(at(i).position - at(j).position);
@@ -95,7 +97,7 @@ void read_bonds(const fs::path& file, bool rocks_given, CaseTables& tables, Case
   std::stable_sort(read.begin(), read.end(), [&](const auto& a, const auto& b) { return ends(a) < ends(b); });
   for (std::size_t k = 0; k < read.size(); ++k) {
     if (k > 0 && ends(read[k]) == ends(read[k - 1]))
-      problems.add_in_file(file, read[k].second, 1, "the bond is given twice; give each pair once");
+      checker.bad(read[k].second, "twice", "the bond is given twice; give each pair once");
     tables.bonds.push_back(read[k].first);
   }
 }
@@ -140,10 +142,11 @@ void read_start_state(const Setting& particles, CaseTables& tables, CaseProblems
 
   const auto by_id = [](const ReadParticle& a, const ReadParticle& b) { return a.particle.id < b.particle.id; };
   std::stable_sort(read.begin(), read.end(), by_id);
+  TableChecker checker(file, table, problems);
   for (std::size_t k = 0; k < read.size(); ++k) {
     if (k > 0 && read[k].particle.id == read[k - 1].particle.id)
-      problems.add_in_file(file, read[k].line, 1,
-                           "id " + std::to_string(read[k].particle.id) + " is given twice; give each id once");
+      checker.bad(read[k].line, "twice",
+                  "id " + std::to_string(read[k].particle.id) + " is given twice; give each id once");
     tables.particles.push_back(read[k].particle);
   }
   const bool rocks_given = table.column("rock") >= 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case/table_checker.hpp"
 
-#include <algorithm>
-
 namespace gyro {
 
 TableChecker::TableChecker(const std::filesystem::path& file, const CsvTable& table, CaseProblems& problems)
@@ -16,14 +14,21 @@ TableChecker::~TableChecker() {
     problems_.add_in_file(file_, found.line, 1, found.message + rows_like_this(found.more));
 }
 
-bool TableChecker::expect(bool good, std::size_t k, const std::string& message) {
-  if (good) return true;
-  const auto known = std::ranges::find(found_, message, &RowProblem::message);
-  if (known != found_.end())
-    ++known->more;
-  else
-    found_.push_back({table_.lines.at(k), message, 0});
-  return false;
+bool TableChecker::expect(bool good, std::size_t k, std::string_view message) {
+  if (!good) bad(table_.lines.at(k), message, message);
+  return good;
+}
+
+void TableChecker::bad(int line, std::string_view cause, std::string_view message) {
+  const auto known = by_cause_.find(cause);
+  if (known == by_cause_.end()) {
+    by_cause_.emplace(cause, found_.size());
+    found_.push_back({line, std::string(message), 0});
+    return;
+  }
+  RowProblem& problem = found_[known->second];
+  ++problem.more;
+  if (line < problem.line) problem.line = line, problem.message = message;
 }
 
 void TableChecker::expect_rows(std::size_t minimum) {

@@ -5,7 +5,9 @@
 #include "io/case/parts.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gyro {
@@ -20,21 +22,24 @@ class TableChecker {
   TableChecker& operator=(const TableChecker&) = delete;
 
   /// Reports a problem of row k unless `good`. @return good
-  bool expect(bool good, std::size_t k, const std::string& message);
+  bool expect(bool good, std::size_t k, std::string_view message);
+  /// Reports a problem of a line, whose message may quote it. @param cause  the same for all lines that have it
+  void bad(int line, std::string_view cause, std::string_view message);
   void expect_rows(std::size_t minimum);
   void expect_rising(std::size_t column);
 
  private:
   struct RowProblem {
-    int line;
+    int line;  ///< the first one with this cause
     std::string message;
-    std::size_t more;  ///< rows with the same
+    std::size_t more;  ///< rows
   };
 
   const std::filesystem::path& file_;
   const CsvTable& table_;
   CaseProblems& problems_;
   std::vector<RowProblem> found_;
+  std::map<std::string, std::size_t, std::less<>> by_cause_;  ///< index in found_
 };
 
 }  // namespace gyro

@@ -83,11 +83,11 @@ std::vector<PassingPoint> read_sieves(const fs::path& file, CaseProblems& proble
 void check_torques(const std::vector<double>& torques, TableChecker& checker) {
   const std::size_t n = torques.size();
   checker.expect(torques[n - 1] <= 0, n - 1, "the motor still drives at its last speed; the last torque must be <= 0");
+  std::size_t driving = n;  // rows up to the last one that drives
+  while (driving > 0 && !(torques[driving - 1] > 0)) --driving;
   for (std::size_t k = 0; k + 1 < n; ++k) {
     if (torques[k] > 0) continue;
-    const bool drives_later = std::any_of(torques.begin() + static_cast<std::ptrdiff_t>(k), torques.end(),
-                                          [](double torque) { return torque > 0; });
-    if (drives_later || k == 0) {
+    if (k < driving || k == 0) {
       checker.expect(false, k,
                      "the motor does not drive here; the torque must be > 0 in every row up to the synchronous speed");
       return;

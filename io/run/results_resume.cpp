@@ -47,8 +47,9 @@ RowsDigest digest_of_rows(const hdf5::Dataset& dataset, const Channel& channel, 
 /// @returns the digest of the rows to keep
 RowsDigest require_channel(const std::filesystem::path& path, const hdf5::File& file, const std::string& name,
                            const Channel& channel, const GroupMark& keep) {
+  if (!file.contains(name)) throw refused(path, "has no " + name);
   const auto digest = keep.digests.find(channel.name);
-  if (digest == keep.digests.end() || !file.contains(name)) throw refused(path, "has no " + name);
+  if (digest == keep.digests.end()) throw refused(path, "has " + name + ", of which the checkpoint has no digest");
   const hdf5::Dataset dataset = file.dataset(name);
   if (dataset.columns() != channel.columns || dataset.number() != channel.number)
     throw refused(path, "has a different form of " + name);

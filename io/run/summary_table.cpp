@@ -9,7 +9,7 @@ namespace {
 constexpr const char* with_feed = "with a feed";
 constexpr const char* with_crusher = "with a crusher";
 constexpr const char* with_product = "with a crusher that has discharged";
-constexpr const char* unless_unknown = "unless a failed run no longer knows it";
+constexpr const char* unless_unknown = "unless it is unknown or not finite";
 
 }  // namespace
 

@@ -98,12 +98,6 @@ TEST_CASE("Scans of rock that are needles or plates are refused with the name, w
                 "scan: the shape is a needle or a plate");
 }
 
-TEST_CASE("check says how far the library is when it takes long") {
-  const Workplace place;
-  const Outcome outcome = place.shell("timeout 20 $GYROSIM check " + quickstart + " --json --set rocks.samples=10000");
-  CHECK_THAT(outcome.err, Contains("library: ") && Contains(" of 10000 rocks made, less than "));
-}
-
 TEST_CASE("A particle a thousand times smaller than another costs no time") {
   const Workplace place;
   place.write("sizes.csv", "id,x,y,z,r\n1,0,0,0.0005,1e-6\n2,0.01,0,0.1,0.01\n");

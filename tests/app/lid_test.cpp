@@ -87,3 +87,27 @@ TEST_CASE("A lid closes a concave of triangles, unless its rim is so far from ro
   REQUIRE(run.code == 0);
   CHECK(summary_of(place.path() / "r")["escaped_mass"] == 0);
 }
+
+TEST_CASE("Notes on walls are about those of the case, not about the lid") {
+  const Workplace place;
+  const bool meshes = GENERATE(false, true);
+  std::string options = spheres + "--set 'crusher.lid=450 mm' --set 'time.duration=10 ms' ";
+  if (meshes) {
+    REQUIRE(place.gyrosim("liners '" GYRO_CASES "/quickstart.yaml' --out liners").code == 0);
+    options +=
+        "--set crusher.profile=null --set 'walls={concave: {stl: '$PWD'/liners/concave.stl, material: steel}, "
+        "mantle: {stl: '$PWD'/liners/mantle.stl, material: steel, motion: gyration}}' ";
+  }
+  const auto notes = [&](const std::string& sphere) {
+    place.write("spheres.csv", "id,x,y,z,r\n" + sphere + "\n");
+    const Outcome outcome = place.shell("$GYROSIM check " + options + "--json");
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return nlohmann::json::parse(outcome.out)["notes"].dump();
+  };
+  const std::string far = notes("1,0,0,-100,0.3");
+  CHECK_THAT(far, Contains("wall concave: ") && Contains("so that nothing touches it") &&
+                      Contains("smaller than the smallest particle") && !Contains("wall lid"));
+  CHECK_THAT(notes("1,0,0,-100,1e-5"),
+             Contains("wall mantle: ") && Contains("times the largest rock") && !Contains("wall lid"));
+}

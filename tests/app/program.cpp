@@ -26,7 +26,7 @@ Outcome Workplace::gyrosim(const std::string& arguments) const {
 }
 
 Outcome Workplace::shell(const std::string& line) const {
-  return call("GYROSIM='" GYROSIM "' && export GYROSIM && { " + line + "; }");
+  return call("GYROSIM='" GYROSIM "' && export GYROSIM GYROSIM_THREADS XDG_CACHE_HOME && { " + line + "; }");
 }
 
 Outcome Workplace::gyrosim_with_signal(const std::string& arguments, const std::string& signal, double seconds) const {

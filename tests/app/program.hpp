@@ -27,7 +27,7 @@ class Workplace {
   /// The same, with a limit on the size of files [bytes, approximately].
   Outcome gyrosim_with_file_limit(const std::string& arguments, std::size_t bytes) const;
 
-  /// Runs a line of the shell, in which $GYROSIM is the program.
+  /// Runs a line of the shell, in which $GYROSIM is the program, with one thread and the cache of this place.
   Outcome shell(const std::string& line) const;
 
   std::filesystem::path path() const { return work_.path(); }

@@ -283,6 +283,64 @@ TEST_CASE("A given step must be below its limit", "[simulation]") {
   CHECK_THROWS_WITH(set_step(setup), Catch::Matchers::Contains("sub-steps would hold contact forces"));
 }
 
+namespace {
+
+/// A scene that nobody may look at between a window that was given up and restore().
+class Unseen final : public Dem {
+ public:
+  explicit Unseen(std::unique_ptr<Dem> dem) : dem_(std::move(dem)) {}
+  void advance(const Window& window, const MantlePath& path) override {
+    in_window_ = true;
+    dem_->advance(window, path);
+    in_window_ = false;
+  }
+  void give_up_when(GiveUp condition) override { dem_->give_up_when(std::move(condition)); }
+  void insert(std::span<const NewRock> rocks) override { seen().insert(rocks); }
+  void remove(std::span<const ParticleId> ids) override { seen().remove(ids); }
+  std::vector<WallPose> wall_poses() const override { return seen().wall_poses(); }
+  std::vector<std::pair<std::string, double>> phase_seconds() const override { return dem_->phase_seconds(); }
+  std::vector<WallLoad> wall_loads() const override { return dem_->wall_loads(); }
+  EnergyTerms energy() const override { return seen().energy(); }
+  Extremes extremes() const override { return seen().extremes(); }
+  Counts counts() const override { return dem_->counts(); }
+  Vec3d momentum() const override { return seen().momentum(); }
+  ParticleSnapshot particles() const override { return seen().particles(); }
+  BondSnapshot bonds() const override { return seen().bonds(); }
+  std::vector<Breakage> take_breakages() override { return dem_->take_breakages(); }
+  std::vector<WallImpulse> take_wall_impulses() override { return dem_->take_wall_impulses(); }
+  SavedState save() const override { return seen().save(); }
+  void restore(const SavedState& saved) override { dem_->restore(saved); }
+
+ private:
+  Dem& seen() const {
+    REQUIRE_FALSE(in_window_);
+    return *dem_;
+  }
+  std::unique_ptr<Dem> dem_;
+  bool in_window_ = false;
+};
+
+}  // namespace
+
+TEST_CASE("The mass balance of a run whose window was given up is that of its last inspection, also when resumed",
+          "[simulation]") {
+  const Setup setup = spilling_chamber();
+  const auto make = [&](const SavedState* saved) {
+    auto dem = std::make_unique<Unseen>(make_cpu_dem(setup.scene, Precision::double_, 1));
+    return std::make_unique<Simulation>(setup, std::move(dem), std::optional<Drivetrain>(), saved);
+  };
+  std::unique_ptr<Simulation> run = make(nullptr);
+  run->advance();
+  if (GENERATE(false, true)) {
+    const SavedState saved = run->save();
+    run = make(&saved);
+  }
+  run->give_up_windows_when([](double share) { return share >= 0.5; });
+  CHECK_THROWS_AS(run->advance(), WindowGivenUp);
+  CHECK(run->mass_count().inside == 4);
+  CHECK(run->mass_count().residual() == 0);
+}
+
 TEST_CASE("A window that is given up never was, and the run goes on from the saved state with the same bits",
           "[simulation]") {
   Setup setup = dropped_rock(0.06);

@@ -9,9 +9,9 @@ const Table<FragmentRecord>& fragments_table() {
   static const Table<FragmentRecord> table{
       .group = "/fragments",
       .rows =
-          "one row for each fragment: of those that left the chamber when an inspection found it, in the order of "
-          "time, and of all others at the end of the run. A single particle is a fragment too; masses of the rows add "
-          "up to all rock",
+          "one row for each fragment: when an inspection finds that it has left the chamber, or at the end of the run. "
+          "A single particle is a fragment too. In a run that ended with finite numbers at the end of a window, the "
+          "masses add up to all rock",
       .presence = always,
       .columns = {
           {.name = "time",

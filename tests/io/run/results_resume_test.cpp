@@ -48,6 +48,10 @@ TEST_CASE("Results that lack rows or tables of the checkpoint are refused and st
   other.groups[1].channels.push_back({"friction", "J"});
   rows = marks_after(9);
   CHECK_THROWS_WITH(ResultsFile(path, other, rows), Catch::Matchers::Contains("has no /ledger/friction"));
+  ResultsMarks without_digest = rows;
+  without_digest.at("/series").digests.erase("time");
+  CHECK_THROWS_WITH(ResultsFile(path, full_content(), without_digest),
+                    Catch::Matchers::Contains("has /series/time, of which the checkpoint has no digest"));
   other = full_content();
   other.groups[3].channels.pop_back();
   CHECK_THROWS_WITH(ResultsFile(path, other, rows),
