@@ -34,19 +34,15 @@ struct BondLanes {
     const auto i = lanes.load(b.i), j = lanes.load(b.j);
     const R arm = lanes.load(b.arm);
     const D length = lanes.load(b.length);
-    shape = {lanes.template cast<double>(Vec3<R>{lanes.load(b.axis_x), lanes.load(b.axis_y), lanes.load(b.axis_z)}),
-             length, lanes.template cast<double>(arm)};
+    shape = {lane_cast<double>(Vec3<R>{lanes.load(b.axis_x), lanes.load(b.axis_y), lanes.load(b.axis_z)}), length,
+             lane_cast<double>(arm)};
     ends = {lanes.template difference<double>(p.position, j, i), lanes.quaternion(p.orientation, i),
             lanes.quaternion(p.orientation, j)};
-    take_axes(lanes, intact_axis(shape, ends));
+    take_axes(intact_axis(shape, ends));
     rates = {lanes.template difference<Real>(p.motion, j, i), lanes.template vector<Real>(p.angular_motion, i),
              lanes.template vector<Real>(p.angular_motion, j)};
-    section = {lanes.load(b.radius),
-               lanes.load(b.strength),
-               lanes.load(b.sqrt_mass),
-               lanes.load(b.sqrt_inertia),
-               arm,
-               lanes.template cast<Real>(length)};
+    section = {lanes.load(b.radius),   lanes.load(b.strength), lanes.load(b.sqrt_mass), lanes.load(b.sqrt_inertia), arm,
+               lane_cast<Real>(length)};
   }
 
   /// Of bonds of which some are pressed: their axes are those of the last step, rotated with their ends.
@@ -58,16 +54,15 @@ struct BondLanes {
                angular_velocity_j = lanes.template vector<double>(p.angular_motion, lanes.load(b.j));
     const Vec3<D> carried =
         pressed_axis(shape.axis, shape.arm * angular_velocity_i + (D(1) - shape.arm) * angular_velocity_j, D(dt));
-    take_axes(lanes, select(lanes.template is_intact<double>(state), intact_axis(shape, ends), carried));
+    take_axes(select(lanes.template is_intact<double>(state), intact_axis(shape, ends), carried));
   }
 
  private:
-  GYRO_HD void take_axes(const Lanes& lanes, const Vec3<D>& axis) {
+  GYRO_HD void take_axes(const Vec3<D>& axis) {
     strain = strain_about(axis, shape.length, ends);
-    strain_r = {lanes.template cast<Real>(strain.normal),  lanes.template cast<Real>(strain.length),
-                lanes.template cast<Real>(strain.stretch), lanes.template cast<Real>(strain.along),
-                lanes.template cast<Real>(strain.shear),   lanes.template cast<Real>(strain.twist),
-                lanes.template cast<Real>(strain.bend)};
+    strain_r = {lane_cast<Real>(strain.normal), lane_cast<Real>(strain.length), lane_cast<Real>(strain.stretch),
+                lane_cast<Real>(strain.along),  lane_cast<Real>(strain.shear),  lane_cast<Real>(strain.twist),
+                lane_cast<Real>(strain.bend)};
   }
 };
 

@@ -48,14 +48,6 @@ struct OneLane {
   }
   GYRO_HD Quatd quaternion(const Quatd* rows, Index row) const { return rows[row]; }
 
-  template <class To, class From>
-  GYRO_HD To cast(const From& x) const {
-    return static_cast<To>(x);
-  }
-  template <class To, class From>
-  GYRO_HD Vec3<To> cast(const Vec3<From>& x) const {
-    return gyro::cast<To>(x);
-  }
   template <class Real>
   GYRO_HD BondConstants<Real> spread(const BondConstants<Real>& law) const {
     return law;

@@ -38,14 +38,6 @@ struct PackLanes {
     return {c.vector.x, c.vector.y, c.vector.z, c.number};
   }
 
-  template <class To, class From>
-  Pack<To, N> cast(const Pack<From, N>& x) const {
-    return pack_cast<To>(x);
-  }
-  template <class To, class From>
-  Vec3<Pack<To, N>> cast(const Vec3<Pack<From, N>>& x) const {
-    return pack_cast<To>(x);
-  }
   template <class Real>
   BondConstants<Pack<Real, N>> spread(const BondConstants<Real>& law) const {
     return gyro::cast<Pack<Real, N>>(law);

@@ -65,17 +65,16 @@ struct PairForces {
     const Vec3<D> normal = (D(1) / distance) * span;
 
     ContactMotion<R> c;
-    c.normal = lanes.template cast<Real>(normal);
-    c.overlap = lanes.template cast<Real>(overlap);
-    c.velocity =
-        lanes.template cast<Real>(va.vector - vb.vector + cross(arm_a * wa.vector + arm_b * wb.vector, normal));
-    c.angular_velocity = lanes.template cast<Real>(wa.vector - wb.vector);
-    c.radius = lanes.template cast<Real>(a.number * b.number / (a.number + b.number));
-    c.mass = lanes.template cast<Real>(va.number * vb.number / (va.number + vb.number));
+    c.normal = lane_cast<Real>(normal);
+    c.overlap = lane_cast<Real>(overlap);
+    c.velocity = lane_cast<Real>(va.vector - vb.vector + cross(arm_a * wa.vector + arm_b * wb.vector, normal));
+    c.angular_velocity = lane_cast<Real>(wa.vector - wb.vector);
+    c.radius = lane_cast<Real>(a.number * b.number / (a.number + b.number));
+    c.mass = lane_cast<Real>(va.number * vb.number / (va.number + vb.number));
     const D inertias = wa.number + wb.number;
-    c.inertia = lanes.template cast<Real>(wa.number * wb.number / inertias);
-    c.lever = lanes.template cast<Real>((arm_a * wb.number - arm_b * wa.number) / inertias);
-    store(lanes, c, lanes.template cast<Real>(arm_a), lanes.template cast<Real>(arm_b));
+    c.inertia = lane_cast<Real>(wa.number * wb.number / inertias);
+    c.lever = lane_cast<Real>((arm_a * wb.number - arm_b * wa.number) / inertias);
+    store(lanes, c, lane_cast<Real>(arm_a), lane_cast<Real>(arm_b));
   }
 
  private:

@@ -41,14 +41,6 @@ struct OnePair {
     column[row] = value;
   }
 
-  template <class To, class From>
-  GYRO_HD To cast(const From& x) const {
-    return static_cast<To>(x);
-  }
-  template <class To, class From>
-  GYRO_HD Vec3<To> cast(const Vec3<From>& x) const {
-    return gyro::cast<To>(x);
-  }
   template <class Real>
   GYRO_HD const ContactConstants<Real>& spread(const ContactConstants<Real>& law) const {
     return law;

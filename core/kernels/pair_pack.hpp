@@ -54,14 +54,6 @@ struct PackOfPairs {
         column, [&row](int k) { return row.v[k]; }, value);
   }
 
-  template <class To, class From>
-  Pack<To, N> cast(const Pack<From, N>& x) const {
-    return pack_cast<To>(x);
-  }
-  template <class To, class From>
-  Vec3<Pack<To, N>> cast(const Vec3<Pack<From, N>>& x) const {
-    return pack_cast<To>(x);
-  }
   template <class Real>
   ContactConstants<Pack<Real, N>> spread(const ContactConstants<Real>& law) const {
     return gyro::cast<Pack<Real, N>>(law);

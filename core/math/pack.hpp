@@ -86,10 +86,10 @@ Pack<To, N> pack_cast(Pack<From, N> a) {
   return Pack<To, N>{__builtin_convertvector(a.v, typename Pack<To, N>::Vector)};
 }
 
-/// Every number of a vector, strain or the like in another number type.
+/// The same by the name that serves single numbers and packs.
 template <class To, class From, int N>
-Vec3<Pack<To, N>> pack_cast(const Vec3<Pack<From, N>>& a) {
-  return {pack_cast<To>(a.x), pack_cast<To>(a.y), pack_cast<To>(a.z)};
+Pack<To, N> lane_cast(Pack<From, N> a) {
+  return pack_cast<To>(a);
 }
 
 /// Number type of one lane.

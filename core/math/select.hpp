@@ -14,6 +14,20 @@ GYRO_HD constexpr double select(bool choose, double a, double b) {
   return choose ? a : b;
 }
 
+/// A number, or each number of a vector, in another number type. For packs see core/math/pack.hpp.
+template <class To>
+GYRO_HD constexpr To lane_cast(float a) {
+  return static_cast<To>(a);
+}
+template <class To>
+GYRO_HD constexpr To lane_cast(double a) {
+  return static_cast<To>(a);
+}
+template <class To, class From>
+GYRO_HD constexpr auto lane_cast(const Vec3<From>& a) {
+  return Vec3<decltype(lane_cast<To>(a.x))>{lane_cast<To>(a.x), lane_cast<To>(a.y), lane_cast<To>(a.z)};
+}
+
 /// The same choice for all three components.
 template <class Mask, class T>
 GYRO_HD Vec3<T> select(const Mask& choose, const Vec3<T>& a, const Vec3<T>& b) {
