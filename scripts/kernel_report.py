@@ -22,9 +22,10 @@ from errors import fail, need_programs
 ROOT = Path(__file__).resolve().parent.parent
 FLAGS = ["-std=c++20", "-O3", "-DNDEBUG", "--fmad=false", "-Xcompiler=-ffp-contract=off"]
 
-# Largest stack frame and spilled bytes of kernels that may have any. These two compare the contact points of a wall with
-# each other, in arrays of up to six points that are indexed at run time and therefore lie on the stack.
-LIMITS = {"WallForces": (1536, 0), "SumWallContacts": (1024, 0)}
+# Largest stack frame and spilled bytes of kernels that may have any. The first two compare the contact points of a wall
+# with each other, in arrays of up to six points; the third has an array of the radii of levels. Arrays that are indexed
+# at run time lie on the stack.
+LIMITS = {"WallForces": (1536, 0), "ContactSums": (1024, 0), "LevelRadii": (128, 0)}
 MAX_REGISTERS = 255
 PLAIN = re.compile(r"Keep<|ClearWallSums|StorePositions|CellBegins")
 
