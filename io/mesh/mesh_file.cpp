@@ -38,7 +38,7 @@ RepairedMesh parse_file(const std::string& path) {
     throw BadInput(path + ": unknown kind of mesh; only .stl and .obj files are read");
   const std::string bytes = read_bytes(path);
   RepairedMesh given;
-  given.mesh = end == ".stl" ? parse_stl(bytes, path, &given.notes) : parse_obj(bytes, path);
+  given.mesh = end == ".stl" ? parse_stl(bytes, path, &given.notes) : parse_obj(bytes, path, &given.notes);
   check_coordinates(given.mesh, path);
   return given;
 }

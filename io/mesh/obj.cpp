@@ -4,6 +4,7 @@
 #include "core/base/encoding.hpp"
 #include "core/base/errors.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -101,9 +102,22 @@ bool continues(std::string_view line) {
   return last != std::string_view::npos && line[last] == '\\';
 }
 
+/// An OBJ file does not say how many faces it has, so that one that was cut off may still be read.
+void note_signs_of_a_cut(std::string_view text, const TriangleMesh& mesh, std::vector<std::string>& notes) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Vec3<Index>& triangle : mesh.triangles)
+    for (const Index corner : {triangle.x, triangle.y, triangle.z}) used[static_cast<std::size_t>(corner)] = true;
+  const auto unused = std::ranges::count(used, false);
+  if (unused > 0)
+    notes.push_back(std::to_string(unused) + " of " + std::to_string(used.size()) +
+                    " vertices belong to no face; check that the file is complete");
+  if (!text.ends_with('\n') && !text.ends_with('\r'))
+    notes.push_back("the last line has no line end; check that the file is complete");
+}
+
 }  // namespace
 
-TriangleMesh parse_obj(std::string_view text, const std::string& name) {
+TriangleMesh parse_obj(std::string_view text, const std::string& name, std::vector<std::string>* notes) {
   ObjParser parser(name);
   if (is_utf16(text)) throw BadInput(name + ": " + utf16_problem);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -118,7 +132,9 @@ TriangleMesh parse_obj(std::string_view text, const std::string& name) {
     parser.line(text.substr(begin, end - begin), 1 + joined);
     begin = end + 1;
   }
-  return parser.finish();
+  TriangleMesh mesh = parser.finish();
+  if (notes != nullptr) note_signs_of_a_cut(text, mesh, *notes);
+  return mesh;
 }
 
 }  // namespace gyro

@@ -178,3 +178,20 @@ TEST_CASE("Coordinates that no drawing has are refused") {
       replaced(replaced(solid("a"), "vertex 1", "vertex 1e-200"), "vertex 0 1", "vertex 0 1e-200");
   CHECK_THROWS_WITH(read_mesh(written(folder, "s.stl", small)), Contains("s.stl: ") && Contains("coordinates"));
 }
+
+TEST_CASE("Signs that an OBJ file was cut off are noted") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  const auto notes_of = [](const std::string& text) {
+    std::vector<std::string> notes;
+    parse_obj(text, "x.obj", &notes);
+    return notes;
+  };
+  CHECK(notes_of(vertices + "f 1 2 3\nf 2 4 3\n").empty());
+  CHECK(notes_of(vertices + "f 1 2 3\r\nf 2 4 3\r\n").empty());
+  const std::vector<std::string> fewer = notes_of(vertices + "f 1 2 3\n");
+  REQUIRE(fewer.size() == 1);
+  CHECK_THAT(fewer[0], Contains("1 of 4 vertices belong to no face"));
+  const std::vector<std::string> open = notes_of(vertices + "f 1 2 3\nf 2 4 3");
+  REQUIRE(open.size() == 1);
+  CHECK_THAT(open[0], Contains("no line end"));
+}
