@@ -24,8 +24,8 @@ struct Pieces {
 
 /// Particles in a piece without bonds.
 inline constexpr Index run_length = 128;
-/// Bonds, rounded up to bond_alignment, from which on a rock is large: one thread's work on it would keep the others waiting, and its state does not
-/// stay in a core's cache.
+/// Bonds, rounded up to bond_alignment, from which on a rock is large: one thread's work on it would keep the others
+/// waiting, and its state does not stay in a core's cache.
 inline constexpr Index large_rock = 8192;
 
 /// @param blocks     in the order of their particles
