@@ -106,7 +106,8 @@ struct SumContacts {
     const double a = p.position[pair.i].radius, b = p.position[pair.j].radius;
     const ContactHistory<Real> m = pairs.history[n];
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
-    const Real energy = contact_energy(rock_model, rock, static_cast<Real>(a * b / (a + b)), m, pairs.extra + n);
+    const ExtraHistory<Real>* extra = pairs.extra == nullptr ? nullptr : pairs.extra + n;
+    const Real energy = contact_energy(rock_model, rock, static_cast<Real>(a * b / (a + b)), m, extra);
     return {static_cast<double>(energy), ratio, p.id[pair.i], p.id[pair.j], none};
   }
   GYRO_HD ContactSums of_wall(Index n, const Sphere& sphere) const {
@@ -117,8 +118,8 @@ struct SumContacts {
     for (int k = 0; k < near.history[n].count; ++k) {
       const ContactHistory<Real> m = near.history[n].contact[k].history;
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
-      const Real energy = contact_energy(wall_model, on_wall[entry.wall], static_cast<Real>(sphere.radius), m,
-                                         near.extra[n].contact + k);
+      const ExtraHistory<Real>* extra = near.extra == nullptr ? nullptr : near.extra[n].contact + k;
+      const Real energy = contact_energy(wall_model, on_wall[entry.wall], static_cast<Real>(sphere.radius), m, extra);
       s = s + ContactSums{weight * static_cast<double>(energy), static_cast<double>(m.overlap) / sphere.radius,
                           p.id[entry.particle], 0, entry.wall};
     }
