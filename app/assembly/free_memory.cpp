@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr double kilobyte = 1024;  // of /proc
 
-/// The number behind the first word `name` of a file of lines; none if there is no such line or no number.
+/// The number in the line of a file that begins with `name`; nothing if there is no such line, or no number in it.
 std::optional<double> number_of(const fs::path& file, const std::string& name) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {

@@ -114,7 +114,7 @@ std::vector<std::string> reach_notes(const Case& input, const Setup& setup, doub
   double carried = 20 * removal_depth(setup.library, setup.start) / 2;  // 10 rocks
   for (std::size_t w = 0; w < walls.size(); ++w) carried = std::max(carried, travel(walls[w], boxes[w], end));
   std::vector<bool> reached(walls.size(), false);
-  for (bool grows = true; grows;) {  // rock goes on from each wall that it reaches
+  for (bool grows = true; grows;) {  // a wall that rock reaches may carry it to others
     grows = false;
     for (std::size_t w = 0; w < walls.size(); ++w) {
       const auto& box = boxes[w];

@@ -228,7 +228,7 @@ class Cpu {
       for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k, pass);
     }
   }
-  /// Collects what is picked and works on it in packs; what is left at the end is done one by one.
+  /// Works on the picked indices in packs, and on the last ones, which do not fill a pack, one by one.
   template <class Kernel>
   static void work_on_picked(const IndexRange& range, const Kernel& kernel) {
     constexpr int room = 64, lanes = Kernel::Pack::count;
@@ -252,7 +252,7 @@ class Cpu {
       for (; k + lanes <= count; k += lanes) kernel(typename Kernel::Pack{picked + k});
     for (; k < count; ++k) kernel(typename Kernel::Lane{picked[k]});
   }
-  /// Packs, and what is left one by one.
+  /// Works on items in packs, and on the last ones, which do not fill a pack, one by one.
   template <class Kernel>
   static void work_on_items(const IndexRange& items, const Kernel& kernel) {
     using Pack = typename Kernel::Pack;
