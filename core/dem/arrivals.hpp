@@ -97,6 +97,7 @@ class Arrivals {
     }
     to.listed_position.push_back(p.position);
     to.losses.push_back({});
+    to.damping_rate.push_back(0);
     to.id.push_back(p.id);
     to.block.push_back(block);
     exchanged_ += 0.5 * mass * norm2(p.velocity) + 0.2 * mass * p.radius * p.radius * norm2(p.angular_velocity) -

@@ -33,6 +33,7 @@ class PairList {
     now_.at.swap(old_.at);  // only one list needs what belongs to ends
     now_.load.swap(old_.load);
     now_.loaded.swap(old_.loaded);
+    now_.dashpot.swap(old_.dashpot);
     now_.pair.resize(total);
     now_.history.resize(total);
     if (with_extra_) now_.extra.resize(total);
@@ -123,6 +124,7 @@ class PairList {
     exec.for_each("locate ends", 2 * pairs, LocateEnds{now_.ends.data(), now_.at.data()});
     now_.load.resize(2 * static_cast<std::size_t>(pairs));
     now_.loaded.resize(2 * static_cast<std::size_t>(pairs));
+    now_.dashpot.resize(2 * static_cast<std::size_t>(pairs));
   }
 
   void keep_ends(const Remaining& remaining, const std::vector<Index>& new_pair) {

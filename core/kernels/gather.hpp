@@ -33,11 +33,11 @@ struct Gather {
       lost.bond_slip += bonds.slipped;
     }
     if (held == nullptr) {
-      add_contacts(n, total.force, total.torque, lost);
+      add_contacts(n, mass, total, lost);
     } else {
       if (first_of_hold) {
         Load sum;
-        add_contacts(n, sum.force, sum.torque, lost);
+        add_contacts(n, mass, sum, lost);
         held[n] = sum;
       }
       total.force += held[n].force;
@@ -47,23 +47,27 @@ struct Gather {
   }
 
  private:
-  GYRO_HD void add_contacts(Index n, Vec3d& force, Vec3d& torque, LostWork& lost) const {
+  GYRO_HD void add_contacts(Index n, double mass, Load& to, LostWork& lost) const {
+    double dashpots = 0;
     for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e) {
       if (!pairs.loaded[e]) continue;
       const EndLoad<Real> load = pairs.load[e];
-      force += cast<double>(load.force);
-      torque += cast<double>(load.torque);
+      to.force += cast<double>(load.force);
+      to.torque += cast<double>(load.torque);
       lost.contact_damping += static_cast<double>(load.damped);
       lost.contact_slip += static_cast<double>(load.slipped);
+      dashpots += static_cast<double>(pairs.dashpot[e]);
     }
     for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e) {
       if (!walls.touching[e]) continue;
       const WallResult<Real> r = walls.result[e];
-      force += cast<double>(r.force);
-      torque += cast<double>(r.torque);
+      to.force += cast<double>(r.force);
+      to.torque += cast<double>(r.torque);
       lost.contact_damping += static_cast<double>(r.damped);
       lost.contact_slip += static_cast<double>(r.slipped);
+      dashpots += static_cast<double>(r.dashpot);
     }
+    p.damping_rate[n] = dashpots / mass;
   }
 };
 

@@ -71,6 +71,7 @@ struct PairForces {
     c.angular_velocity = lane_cast<Real>(wa.vector - wb.vector);
     c.radius = lane_cast<Real>(a.number * b.number / (a.number + b.number));
     c.mass = lane_cast<Real>(va.number * vb.number / (va.number + vb.number));
+    c.damping_rate = lane_cast<Real>(lanes.at(p.damping_rate, i) + lanes.at(p.damping_rate, j));
     const D inertias = wa.number + wb.number;
     c.inertia = lane_cast<Real>(wa.number * wb.number / inertias);
     c.lever = lane_cast<Real>((arm_a * wb.number - arm_b * wa.number) / inertias);
@@ -94,10 +95,11 @@ struct PairForces {
 
     const Vec3<R> lever = cross(c.normal, load.force);
     lanes.store(pairs.history, load.history);
-    lanes.store_at(pairs.load, lanes.index(pairs.at, &PairEnds::i),
-                   EndLoad<R>{load.force, arm_a * lever + load.couple, load.damped, load.slipped});
-    lanes.store_at(pairs.load, lanes.index(pairs.at, &PairEnds::j),
-                   EndLoad<R>{-load.force, arm_b * lever - load.couple, R(0), R(0)});
+    const auto at_i = lanes.index(pairs.at, &PairEnds::i), at_j = lanes.index(pairs.at, &PairEnds::j);
+    lanes.store_at(pairs.load, at_i, EndLoad<R>{load.force, arm_a * lever + load.couple, load.damped, load.slipped});
+    lanes.store_at(pairs.load, at_j, EndLoad<R>{-load.force, arm_b * lever - load.couple, R(0), R(0)});
+    lanes.store_at(pairs.dashpot, at_i, load.dashpot);
+    lanes.store_at(pairs.dashpot, at_j, load.dashpot);
   }
 };
 

@@ -24,6 +24,8 @@ struct OnePair {
     return column[n].*member;
   }
 
+  GYRO_HD double at(const double* column, Index particle) const { return column[particle]; }
+
   template <class Row>
   GYRO_HD ParticleRow<double> row(const Row* rows, Index particle) const {
     return row_of(rows[particle]);

@@ -24,6 +24,12 @@ struct PackOfPairs {
     return out;
   }
 
+  Pack<double, N> at(const double* column, const Pack<Index, N>& particle) const {
+    Pack<double, N> out;
+    for (int k = 0; k < N; ++k) out.v[k] = column[particle.v[k]];
+    return out;
+  }
+
   template <class Row>
   ParticleRow<Pack<double, N>> row(const Row* rows, const Pack<Index, N>& particle) const {
     return row_columns<double, N>([&](int k) { return whole_row(rows, particle.v[k]); });
@@ -52,6 +58,11 @@ struct PackOfPairs {
   void store_at(Struct<Real>* column, const Pack<Index, N>& row, const Struct<Pack<Real, N>>& value) const {
     store_rows(
         column, [&row](int k) { return row.v[k]; }, value);
+  }
+
+  template <class Real>
+  void store_at(Real* column, const Pack<Index, N>& row, const Pack<Real, N>& value) const {
+    for (int k = 0; k < N; ++k) column[row.v[k]] = value.v[k];
   }
 
   template <class Real>

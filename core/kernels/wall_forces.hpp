@@ -115,6 +115,7 @@ struct WallForces {
       c.mass = static_cast<Real>(motion.mass);
       c.inertia = static_cast<Real>(angular.inertia);
       c.lever = static_cast<Real>(arm);
+      c.damping_rate = static_cast<Real>(p.damping_rate[entry.particle]);
 
       const int found = matching_contact(old, cast<Real>(outward), taken);
       ExtraHistory<Real> extra{};
@@ -129,6 +130,7 @@ struct WallForces {
       result.torque += static_cast<Real>(arm) * cross(c.normal, force) + couple;
       result.damped += weight * load.damped;
       result.slipped += weight * load.slipped;
+      result.dashpot += weight * load.dashpot;
       now.contact[k] = {load.history, cast<Real>(outward)};
       if constexpr (Law::keeps_extra_history) now_extra.contact[k] = extra;
       total.add(cast<double>(force), point, wall_velocity);

@@ -102,6 +102,7 @@ struct Scene {
   Vec3d gravity{0, 0, -9.81};
   double dt = 0;              ///< [s]
   int substeps = 1;           ///< steps over which contact and wall forces are held; bonds take each step
+  double damping_cap = 1;     ///< beta of largest_dashpot(): infinity for dashpots without a cap [-]
   double neighbour_skin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
   StepLimits limits;
   bool wall_impulses = false;  ///< Dem::take_wall_impulses() has something to give

@@ -64,6 +64,7 @@ struct Pairs {
   Column<PairEnd> ends;                  ///< rows ordered by the partner's id
   Column<EndLoad<Real>> load;            ///< of each end: a particle's loads lie side by side
   Column<std::int8_t> loaded;            ///< of each end, 1: its pair is in contact in this step
+  Column<Real> dashpot;                  ///< of each end: ContactLoad::dashpot of its pair [N s/m]
 
   template <class F, class... P>
   static constexpr void for_each_column(F&& f, P&... p) {
@@ -76,6 +77,7 @@ struct Pairs {
     f("ends", p.ends...);
     f("load", p.load...);
     f("loaded", p.loaded...);
+    f("dashpot", p.dashpot...);
   }
 };
 

@@ -96,6 +96,7 @@ struct Particles {
   Column<Load> bond_load;         ///< from bonds alone; empty without bonds
   Column<Vec3d> listed_position;  ///< centre when the neighbour lists were built [m]
   Column<LostWork> losses;
+  Column<double> damping_rate;  ///< of its contacts in their last evaluation: sum of ContactLoad::dashpot / mass [1/s]
   Column<ParticleId> id;
   Column<Index> block;  ///< of its rock; none for a sphere that belongs to no rock
 
@@ -113,6 +114,7 @@ struct Particles {
     f("load", p.load...);
     f("listed_position", p.listed_position...);
     f("losses", p.losses...);
+    f("damping_rate", p.damping_rate...);
     f("id", p.id...);
     f("block", p.block...);
   }

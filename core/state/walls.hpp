@@ -74,6 +74,7 @@ template <class Real>
 struct WallResult {
   Vec3<Real> force, torque;  ///< on the particle [N], [N m]
   Real damped, slipped;      ///< [J]
+  Real dashpot;              ///< sum of ContactLoad::dashpot [N s/m]
 };
 
 /// Columns of the wall list: particles nearer to a wall than the skin. Rows are ordered by wall.

@@ -16,6 +16,7 @@ struct ContactConstants {
   T rolling;    ///< rolling friction mu_r [-]
   T dt;         ///< time for which the forces act: the step, or the hold of several sub-steps [s]
   T unloading;  ///< 1/e^2 >= 1: unloading over loading stiffness of a hysteretic spring [-]
+  T max_rate;   ///< beta/dt: damping rate that all dashpots of a particle may have together [1/s]
 
   template <class F, class... C>
   static constexpr void for_each_field(F&& f, C&... c) {
@@ -26,6 +27,7 @@ struct ContactConstants {
     f("rolling", c.rolling...);
     f("dt", c.dt...);
     f("unloading", c.unloading...);
+    f("max_rate", c.max_rate...);
   }
 };
 static_assert(declares_every_field<ContactConstants<double>>);
@@ -40,10 +42,11 @@ ContactConstants<To> cast(const ContactConstants<From>& law) {
 }
 
 /// Constants of the contact of materials m and n, E = 2 G (1 + nu). Host only.
-/// @param hold_time  time for which the forces act [s]
+/// @param hold_time    time for which the forces act [s]
+/// @param damping_cap  beta of largest_dashpot() [-]
 template <class Real>
 ContactConstants<Real> contact_constants(const Material& m, const Material& n, const PairProperties& pair,
-                                         double hold_time) {
+                                         double hold_time, double damping_cap = 1) {
   const auto plane_compliance = [](const Material& x) {
     return (1 - x.poisson_ratio * x.poisson_ratio) / (2 * x.shear_modulus * (1 + x.poisson_ratio));
   };
@@ -54,7 +57,8 @@ ContactConstants<Real> contact_constants(const Material& m, const Material& n, c
           .friction = static_cast<Real>(pair.friction),
           .rolling = static_cast<Real>(pair.rolling_friction),
           .dt = static_cast<Real>(hold_time),
-          .unloading = static_cast<Real>(1 / (pair.restitution * pair.restitution))};
+          .unloading = static_cast<Real>(1 / (pair.restitution * pair.restitution)),
+          .max_rate = static_cast<Real>(damping_cap / hold_time)};
 }
 
 }  // namespace gyro

@@ -21,6 +21,7 @@ struct ContactMotion {
   T mass;                    ///< m* = mi mj/(mi + mj) [kg]
   T inertia;                 ///< I* = Ii Ij/(Ii + Ij) [kg m2]
   T lever;                   ///< I* (ai/Ii - aj/Ij), a the arms: of friction on the relative rolling [m]
+  T damping_rate;            ///< Qi/mi + Qj/mj, Q the sum of all dashpots of a body, see largest_dashpot() [1/s]
 };
 
 /// History that every contact keeps from one step to the next. Zero for a new contact.
@@ -63,6 +64,7 @@ struct ContactLoad {
   ContactHistory<T> history;  ///< for the next step
   T damped;                   ///< work lost to damping in this step, of dashpots and of hysteresis [J]
   T slipped;                  ///< work lost to friction and rolling in this step [J]
+  T dashpot;                  ///< q of largest_dashpot(): its part in the Q of both bodies [N s/m]
 };
 
 /// Result of a normal law, with all that the tangential and the rolling law need to know of it.
@@ -74,6 +76,7 @@ struct NormalLoad {
   T tangential_stiffness;       ///< of the tangential spring that belongs to it, now [N/m]
   T last_tangential_stiffness;  ///< and at the last step; 0 for a new contact [N/m]
   T tangential_damping;         ///< coefficient of the tangential dashpot [N s/m]
+  T dashpot;                    ///< q of largest_dashpot(), without the cap [N s/m]
   T unloading;                  ///< factor on remembered tangential loads: falls with the stiffness [-]
   T damped;                     ///< work lost to hysteresis in this step [J]
 };

@@ -40,6 +40,7 @@ struct ContactLaw {
     if constexpr (Normal::has_hysteresis) out.damped = out.damped + normal.damped;
     if constexpr (Rolling::has_spring) out.damped = out.damped + roll.damped;
     out.slipped = friction.slipped + roll.slipped;
+    out.dashpot = normal.dashpot;
     return out;
   }
 

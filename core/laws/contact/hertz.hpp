@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laws/contact/contact.hpp"
+#include "core/laws/contact/dashpots.hpp"
 
 namespace gyro {
 
@@ -11,7 +11,7 @@ namespace gyro {
 ///   c(S) = 2 sqrt(5/6) zeta sqrt(S m*)                 St = 8 G* sqrt(R* d)
 ///
 /// The force cannot pull. The dashpot's form makes the restitution independent of the speed; the constant zeta
-/// belongs to a force that cannot pull (restitution.hpp).
+/// belongs to a force that cannot pull (restitution.hpp). Both dashpots are capped (dashpots.hpp).
 ///
 /// Sources: Johnson, Contact Mechanics (1985), ch. 4 and 7; Tsuji, Tanaka & Ishida, Powder Technol. 71 (1992) 239
 /// for the form of the damping.
@@ -30,8 +30,13 @@ struct Hertz {
     out.tangential_stiffness = T(8) * law.shear * root;
     out.last_tangential_stiffness = T(8) * law.shear * sqrt(c.radius * history.overlap);
     out.spring = T(2.0 / 3.0) * out.stiffness * c.overlap;
-    out.push = positive(out.spring + damp * sqrt(out.stiffness * c.mass) * approach);
-    out.tangential_damping = damp * sqrt(out.tangential_stiffness * c.mass);
+    // q = max(c_n, 3.5 c_t) = damp sqrt(heavier root m*), both dashpots being powers of the same root
+    const T heavier = larger(T(2) * law.youngs, T(98) * law.shear);
+    const T last = damp * sqrt(heavier * sqrt(c.radius * history.overlap) * c.mass);
+    out.dashpot = damp * sqrt(heavier * root * c.mass);
+    const T cap = largest_dashpot(law, c, out.dashpot, last);
+    out.push = positive(out.spring + smaller(damp * sqrt(out.stiffness * c.mass), cap) * approach);
+    out.tangential_damping = smaller(damp * sqrt(out.tangential_stiffness * c.mass), cap / T(spin_share));
     out.unloading = select(c.overlap < history.overlap, sqrt(c.overlap / larger(history.overlap, T(1e-30))), T(1));
     out.damped = T(0);
     return out;

@@ -14,7 +14,7 @@ namespace {
 constexpr double youngs = 8.6e8, shear = 1.7e8, radius = 0.005, mass = 0.002;
 
 ContactConstants<double> elastic_law() {
-  return {youngs, shear, 0, 0.5, 0, 1e-6, 1};
+  return {youngs, shear, 0, 0.5, 0, 1e-6, 1, 1e6};
 }
 /// The law of a case that does not name one.
 ContactLoad<double> hertz_mindlin(const ContactConstants<double>& law, const ContactMotion<double>& c,
@@ -23,7 +23,7 @@ ContactLoad<double> hertz_mindlin(const ContactConstants<double>& law, const Con
   return ContactLaw<Hertz, ConstantRolling>::load(law, c, history, none);
 }
 ContactMotion<double> resting(double overlap) {
-  return {{0, 0, 1}, overlap, {0, 0, 0}, {0, 0, 0}, radius, mass, 2e-8, radius};
+  return {{0, 0, 1}, overlap, {0, 0, 0}, {0, 0, 0}, radius, mass, 2e-8, radius, 0};
 }
 double hertz(double overlap) {
   return 4.0 / 3 * youngs * std::sqrt(radius) * std::pow(overlap, 1.5);

@@ -20,7 +20,7 @@ const double spring = 2.25 * normal_stiffness * std::pow(mu * radius, 2);
 const double limit = mu * radius * 2.0 / 3 * normal_stiffness * overlap;
 
 ContactConstants<double> law_with(double rolling, double dt) {
-  return {youngs, shear, 0, 0, rolling, dt, 1};
+  return {youngs, shear, 0, 0, rolling, dt, 1, 1 / dt};
 }
 
 /// A contact that rolls about x, with the work done against the couple.
@@ -33,7 +33,7 @@ struct Roll {
   void by(double angle, int steps, double depth = overlap) {
     const double speed = angle / (steps * law.dt);
     for (int k = 0; k < steps; ++k) {
-      const ContactMotion<double> c{{0, 0, 1}, depth, {0, 0, 0}, {speed, 0, 0}, radius, mass, inertia, 0};
+      const ContactMotion<double> c{{0, 0, 1}, depth, {0, 0, 0}, {speed, 0, 0}, radius, mass, inertia, 0, 0};
       const Vec3d before = extra.roll_elastic + extra.roll_drag;
       const ContactLoad<double> load = SpringLaw::load(law, c, history, extra);
       work -= 0.5 * law.dt * speed * (before.x + load.couple.x);
@@ -95,7 +95,7 @@ TEST_CASE("The rolling dashpot damps a free oscillation by 0.3 of critical", "[l
   const int steps = static_cast<int>(std::lround(2 * std::numbers::pi / damped_omega / dt));
   const double start = angle;
   for (int k = 0; k < steps; ++k) {
-    const ContactMotion<double> c{{0, 0, 1}, overlap, {0, 0, 0}, {speed, 0, 0}, radius, mass, inertia, 0};
+    const ContactMotion<double> c{{0, 0, 1}, overlap, {0, 0, 0}, {speed, 0, 0}, radius, mass, inertia, 0, 0};
     const ContactLoad<double> load = SpringLaw::load(law, c, history, extra);
     history = load.history;
     speed += dt * load.couple.x / whole;
@@ -105,7 +105,7 @@ TEST_CASE("The rolling dashpot damps a free oscillation by 0.3 of critical", "[l
 }
 
 TEST_CASE("Without rolling friction the rolling laws give no couple", "[laws][contact]") {
-  const ContactMotion<double> c{{0, 0, 1}, overlap, {0.1, 0, 0.2}, {30, 40, 5}, radius, mass, inertia, radius};
+  const ContactMotion<double> c{{0, 0, 1}, overlap, {0.1, 0, 0.2}, {30, 40, 5}, radius, mass, inertia, radius, 0};
   ExtraHistory<double> off{}, constant{};
   const auto a = ContactLaw<Hertz, NoRolling>::load(law_with(0, 1e-6), c, {}, off);
   const auto b = ContactLaw<Hertz, ConstantRolling>::load(law_with(0, 1e-6), c, {}, constant);
