@@ -47,12 +47,13 @@ __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
 /// One thread block for each block of the kernel, colour by colour: items are added to rows in the order of the CPU.
 template <class Kernel>
 __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
-    run_blocks(int passes, const __grid_constant__ Kernel kernel) {
+    run_blocks(const __grid_constant__ Kernel kernel) {
   const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
               me = static_cast<Index>(threadIdx.x);
   const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
+  const int passes = kernel.passes(k);
   for (int pass = 0; pass < passes; ++pass) {
-    for (Index row = rows.begin + me; row < rows.end; row += step) kernel.prepare(row, pass);
+    for (Index row = rows.begin + me; row < rows.end; row += step) kernel.prepare(row, k, pass);
     __syncthreads();
     for (Index c = colours.begin; c < colours.end; ++c) {
       const IndexRange items = kernel.items_of_colour(c);
@@ -143,7 +144,7 @@ class Cuda {
     const unsigned threads = launch.colour_size <= warp       ? warp
                              : launch.colour_size <= 2 * warp ? 2 * warp
                                                               : threads_per_block;
-    run_blocks<<<static_cast<unsigned>(launch.blocks), threads>>>(launch.passes, kernel);
+    run_blocks<<<static_cast<unsigned>(launch.blocks), threads>>>(kernel);
     finish(label, mark);
   }
 

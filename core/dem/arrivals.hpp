@@ -4,6 +4,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/expect.hpp"
 #include "core/scene/new_rock.hpp"
+#include "core/scene/scene.hpp"
 #include "core/state/bonds.hpp"
 #include "core/state/particles.hpp"
 
@@ -47,21 +48,22 @@ class Arrivals {
     bool with_bonds = false;
   };
 
-  /// @param gravity    [m/s2]
   /// @param exchanged  EnergyTerms::exchanged before they arrive [J]
-  Arrivals(const Present& present, const Vec3d& gravity, double exchanged)
-      : present_(present), gravity_(gravity), exchanged_(exchanged) {}
+  Arrivals(const Present& present, const Scene& scene, double exchanged)
+      : present_(present), gravity_(scene.gravity), dt_(scene.dt), substeps_(scene.substeps), exchanged_(exchanged) {}
 
   /// @throws BadInput for bonds that are not grouped by colour, or whose first particle has the higher id
   void add(const NewRock& rock) {
     const Index first = present_.particles + size_of(particles_.position);
     const bool is_rock = rock.id != none;
     const Index block = is_rock ? present_.blocks + size_of(blocks_) : none;
-    for (const NewParticle& p : rock.particles) add_particle(p, block);
+    const bool bonded = present_.with_bonds && !rock.bonds.empty();
+    const int substeps = !bonded ? 1 : rock.substeps > 0 ? rock.substeps : substeps_;
+    for (const NewParticle& p : rock.particles) add_particle(p, block, substeps);
     if (!is_rock) return;
     const Index end = first + size_of(rock.particles);
-    Block b{first, end, bond_count(), 0, colour_count(), 0, rock.id, rock.bonds.empty() ? block_broken : block_intact};
-    if (present_.with_bonds) add_bonds(rock, first);
+    Block b{first, end, bond_count(), 0, colour_count(), 0, rock.id, rock.bonds.empty() ? block_broken : block_intact, substeps};
+    if (present_.with_bonds) add_bonds(rock, first, substeps);
     b.end_bond = bond_count();
     b.end_colour = colour_count();
     blocks_.push_back(b);
@@ -72,6 +74,7 @@ class Arrivals {
   const std::vector<Block>& blocks() const { return blocks_; }
   const std::vector<Index>& colour_begin() const { return colour_begin_; }
   std::int64_t bonds_intact() const { return bonds_intact_; }
+  std::int64_t bonds_in_step() const { return bonds_in_step_; }  ///< as in Counts
   double exchanged() const { return exchanged_; }  ///< EnergyTerms::exchanged with the new rock [J]
 
  private:
@@ -82,7 +85,7 @@ class Arrivals {
   Index bond_count() const { return present_.bonds + size_of(bonds_.i); }
   Index colour_count() const { return present_.colours + size_of(colour_begin_); }
 
-  void add_particle(const NewParticle& p, Index block) {
+  void add_particle(const NewParticle& p, Index block, int substeps) {
     Particles<HostColumn>& to = particles_;
     const double mass = p.density * (4.0 / 3) * 3.14159265358979323846 * p.radius * p.radius * p.radius;
     to.position.push_back({p.position, p.radius});
@@ -95,6 +98,7 @@ class Arrivals {
       to.orientation.push_back({1, 0, 0, 0});
       to.bond_load.push_back({});
     }
+    to.step.push_back(dt_ / substeps);
     to.listed_position.push_back(p.position);
     to.losses.push_back({});
     to.damping_rate.push_back(0);
@@ -104,11 +108,12 @@ class Arrivals {
                   mass * dot(gravity_, p.position);
   }
 
-  void add_bonds(const NewRock& rock, Index first_particle) {
+  void add_bonds(const NewRock& rock, Index first_particle, int substeps) {
     check_colours(rock);
     const Index first_bond = bond_count();
     for (const NewBond& bond : rock.bonds) add_bond(rock, bond, first_particle);
     bonds_intact_ += static_cast<std::int64_t>(rock.bonds.size());
+    bonds_in_step_ += static_cast<std::int64_t>(rock.bonds.size()) * substeps;
     for (const Index colour : rock.colour_begin) colour_begin_.push_back(first_bond + colour);
     while (bonds_.i.size() % bond_alignment != 0) {
       Bonds<HostColumn, Real>::for_each_column([](const char*, auto& column) { column.push_back({}); }, bonds_);
@@ -146,8 +151,10 @@ class Arrivals {
 
   Present present_;
   Vec3d gravity_;
+  double dt_;     ///< of the scene [s]
+  int substeps_;  ///< of a rock that does not say
   double exchanged_;
-  std::int64_t bonds_intact_ = 0;
+  std::int64_t bonds_intact_ = 0, bonds_in_step_ = 0;
   Particles<HostColumn> particles_;
   Bonds<HostColumn, Real> bonds_;
   std::vector<Block> blocks_;

@@ -10,12 +10,13 @@ namespace gyro {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::insert(std::span<const NewRock> rocks) {
   EnergyTerms& energies = monitor_.energies();
-  Arrivals<Real> arrivals(rock_.present(), scene_.gravity, energies.exchanged);
+  Arrivals<Real> arrivals(rock_.present(), scene_, energies.exchanged);
   for (const NewRock& rock : rocks) arrivals.add(rock);
   rock_.append(arrivals);
   lists_.extend(rock_.count());
   energies.exchanged = arrivals.exchanged();
   monitor_.counts().bonds_intact += arrivals.bonds_intact();
+  monitor_.counts().bonds_in_step += arrivals.bonds_in_step();
   monitor_.reserve_events(rock_.bond_count());
 }
 
@@ -23,7 +24,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::remove(std::span<const ParticleId> ids) {
   if (ids.empty()) return;
   const EnergyTerms before = energy();
-  const std::int64_t bonds_before = sums().bonds().intact;
+  const BondSums bonds_before = sums().bonds();
   const Remaining remaining(Exec::host(rock_.particles().id), ids);
   monitor_.book_losses(Exec::host(rock_.particles().losses), remaining);
   lists_.keep(remaining);
@@ -31,7 +32,9 @@ void DemSolver<Exec, Real>::remove(std::span<const ParticleId> ids) {
   rock_.keep(remaining);
   monitor_.reserve_events(rock_.bond_count());
 
-  monitor_.counts().bonds_intact -= bonds_before - sums().bonds().intact;
+  const BondSums bonds_after = sums().bonds();
+  monitor_.counts().bonds_intact -= bonds_before.intact - bonds_after.intact;
+  monitor_.counts().bonds_in_step -= bonds_before.in_step - bonds_after.in_step;
   const EnergyTerms after = energy();
   const auto state = [](const EnergyTerms& e) { return e.kinetic + e.potential + e.contact_elastic + e.bond_elastic; };
   monitor_.energies().exchanged -= state(before) - state(after);

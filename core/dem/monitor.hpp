@@ -127,7 +127,7 @@ class Monitor {
 
   /// The bonds that have failed, ordered by time, i, j.
   template <class Real>
-  std::vector<Breakage> breakages(const ParticleStore<Exec, Real>& rock, std::size_t count, double dt) const {
+  std::vector<Breakage> breakages(const ParticleStore<Exec, Real>& rock, std::size_t count, double dt) {
     const auto& events = Exec::host(events_);
     const auto& bond_i = Exec::host(rock.bonds().i);
     const auto& bond_j = Exec::host(rock.bonds().j);
@@ -141,8 +141,10 @@ class Monitor {
       const auto i = static_cast<std::size_t>(bond_i[static_cast<std::size_t>(e.bond)]),
                  j = static_cast<std::size_t>(bond_j[static_cast<std::size_t>(e.bond)]);
       const Vec3d middle = 0.5 * (position[i].x + position[j].x);
-      failed.push_back({static_cast<double>(e.step) * dt, static_cast<BreakMode>(e.mode), middle,
-                        blocks[static_cast<std::size_t>(block[i])].rock, id[i], id[j], e.energy});
+      const Block& own = blocks[static_cast<std::size_t>(block[i])];
+      const double steps = static_cast<double>(e.step) + (e.substep + 1.0) / own.substeps;
+      failed.push_back({steps * dt, static_cast<BreakMode>(e.mode), middle, own.rock, id[i], id[j], e.energy});
+      counts_.bonds_in_step -= own.substeps;
     }
     std::sort(failed.begin(), failed.end(), [](const Breakage& a, const Breakage& b) {
       return std::tie(a.time, a.i, a.j) < std::tie(b.time, b.i, b.j);

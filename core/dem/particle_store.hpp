@@ -55,15 +55,15 @@ class ParticleStore {
   BlockLaunch piece_launch() const {
     return {static_cast<Index>(pieces_.size()), with_bonds_ ? colour_size() : run_length};
   }
-  /// Particles of large rocks, without their bonds.
-  const Piece* large_rows() const { return large_rows_.data(); }
-  BlockLaunch large_launch() const { return {static_cast<Index>(large_rows_.size()), run_length}; }
-  /// Large rocks, each with the begins of its colours.
+  /// A rock whose bonds all threads share, with the begins of its colours and its particles in pieces without bonds.
   struct LargeRock {
-    Index block;
+    Piece whole;
     std::vector<Index> colour_begin;
+    Index first_row, rows;  ///< pieces, in large_rows()
   };
+  const Piece* large_rows() const { return large_rows_.data(); }
   const std::vector<LargeRock>& large_rocks() const { return large_rocks_; }
+  int most_substeps() const { return most_substeps_; }  ///< of all rocks
 
   typename Arrivals<Real>::Present present() const {
     return {count(), bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
@@ -143,11 +143,18 @@ class ParticleStore {
     const auto& blocks = Exec::host(blocks_);
     Pieces pieces = make_pieces(with_bonds_ ? blocks : std::vector<Block>{}, count());
     large_rocks_.clear();
+    Index first_row = 0;
     const auto& colours = Exec::host(colour_begin_);
     for (const Index block : pieces.large) {
       const Block& b = blocks[static_cast<std::size_t>(block)];
-      large_rocks_.push_back({block, {colours.begin() + b.first_colour, colours.begin() + b.end_colour}});
+      const Index rows = (b.end_particle - b.first_particle + run_length - 1) / run_length;
+      large_rocks_.push_back({{b.first_particle, b.end_particle, block, b.substeps},
+                              {colours.begin() + b.first_colour, colours.begin() + b.end_colour},
+                              first_row,
+                              rows});
+      first_row += rows;
     }
+    most_substeps_ = pieces.most_substeps;
     Exec::upload(pieces_, std::move(pieces.together));
     Exec::upload(large_rows_, std::move(pieces.large_rows));
   }
@@ -193,6 +200,7 @@ class ParticleStore {
   Buffer<Index> bond_row_begin_, bond_row_;  ///< BondIndex
   Buffer<Piece> pieces_, large_rows_;        ///< Pieces
   std::vector<LargeRock> large_rocks_;
+  int most_substeps_ = 1;
 };
 
 }  // namespace gyro

@@ -20,7 +20,7 @@ struct SceneSums {
 
   ParticleSums particles() const {
     return exec.template reduce<ParticleSums>("sum particles", rock.count(),
-                                              SumParticles{rock.read(), scene.gravity, scene.hold_time()});
+                                              SumParticles{rock.read(), scene.gravity, scene.dt});
   }
   ContactSums contacts() const {
     return exec.template reduce<ContactSums>(
@@ -31,7 +31,8 @@ struct SceneSums {
   BondSums bonds() const {
     if (!rock.has_bonds()) return {};
     return exec.template reduce<BondSums>(
-        "sum bonds", rock.bond_count(), SumBonds<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model()});
+        "sum bonds", rock.bond_count(), SumBonds<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model(),
+                                             rock.blocks().data()});
   }
 
   /// @param booked  energies of what has left, of events and of walls

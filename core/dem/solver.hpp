@@ -51,25 +51,24 @@ class DemSolver final : public Dem {
   void restore(const SavedState& saved) override;
 
  private:
-  void advance_to_hold(std::int64_t step, bool first_of_window);
-  void advance_rocks(Motions first, std::int64_t step, int passes);
+  struct Advance;
+  void advance_rocks(const Advance& what);
+  template <class Large, class Kernel>
+  void advance_large_rock(const Large& rock, Kernel kernel);
   Move move();
   Gather<Real> gather();
-  void finish_step(bool contacts_are_new, bool kick);
+  void finish_step(bool kick);
   void watch();
   void rebuild_lists();
-  void contact_forces(double half_hold_offset, double carry_over);
   template <bool held>
-  void launch_contacts(double half_hold_offset, double carry_over);
+  void contact_forces(bool last_of_window);
   void prime();
   void close_window(const Window& window);
   void keep_excess();
 
   SceneSums<Exec, Real> sums() const { return {exec_, scene_, laws_, rock_, lists_, walls_.now()}; }
   typename WallAccounts<Exec>::Rock where_rock_is() const { return {rock_.particles().position, rock_.particles().id}; }
-  double half_hold_offset() const { return 0.5 * (scene_.substeps - 1) * scene_.dt; }  ///< to the middle of a hold [s]
-  /// Share of a hold that lies in the next window's first half kick.
-  double carry_over_fraction() const { return 0.5 / scene_.substeps; }
+  bool held() const { return rock_.most_substeps() > 1; }  ///< contact and wall forces, over sub-steps of some rock
 
   Scene scene_;
   mutable Exec exec_;  ///< kernels that only read change nothing but its timers
@@ -79,7 +78,7 @@ class DemSolver final : public Dem {
   WallMotion<Exec> walls_;
   WallAccounts<Exec> accounts_;
   Monitor<Exec> monitor_;
-  typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this hold; empty when a hold is one step
+  typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this step; empty unless held()
   GiveUp give_up_;                             ///< may be empty
   bool primed_ = false;                        ///< the particles have the loads of their present positions
 };

@@ -21,23 +21,18 @@ class WallMotion {
     for (const Wall& wall : walls) poses_now_.push_back(pose_of(wall, 0, {}));
   }
 
-  /// Computes the poses of a window. Row k of the table is what contacts see in step k: with forces that are held over
-  /// several steps, the middle of the hold that begins with it.
-  /// @param substeps  steps of a hold
-  void plan(const std::vector<Wall>& walls, const Window& window, const MantlePath& path, int substeps) {
+  /// Computes the poses of a window. Row k of the table is the end of step k.
+  void plan(const std::vector<Wall>& walls, const Window& window, const MantlePath& path) {
     const std::size_t count = walls.size();
-    const auto pose_after = [&](double k, std::size_t w) {
-      return pose_of(walls[w], (static_cast<double>(window.first_step) + k) * window.dt,
+    const auto pose_after = [&](int k, std::size_t w) {
+      return pose_of(walls[w], static_cast<double>(window.first_step + k) * window.dt,
                      mantle_at(path, k * window.dt));
     };
-    const double middle = 0.5 * (substeps - 1);
     table_.resize(count * static_cast<std::size_t>(window.steps + 1));
     for (int k = 0; k <= window.steps; ++k)
       for (std::size_t w = 0; w < count; ++w)
-        table_[static_cast<std::size_t>(k) * count + w] = pose_after(k == 0 ? 0 : k + middle, w);
-    end_poses_.resize(count);
-    for (std::size_t w = 0; w < count; ++w) end_poses_[w] = pose_after(window.steps, w);
-    find_fastest(walls, substeps * window.dt);
+        table_[static_cast<std::size_t>(k) * count + w] = pose_after(k, w);
+    find_fastest(walls, window.dt);
     Exec::upload(device_table_, table_);
     go_to_step(0);
   }
@@ -49,13 +44,11 @@ class WallMotion {
     device_poses_ = device_table_.data() + row;
     poses_now_.assign(table_.begin() + row, table_.begin() + row + walls);
   }
-  /// The walls stand where the window ends; contacts still see the poses of its last step.
-  void end_window() { poses_now_ = end_poses_; }
 
   /// For kernels.
   WallsNow now() const { return {surfaces_.data(), device_poses_, surfaces_.count()}; }
   const std::vector<WallPose>& poses() const { return poses_now_; }
-  double largest_step() const { return largest_step_; }  ///< largest distance that a wall moves in a hold [m]
+  double largest_step() const { return largest_step_; }  ///< largest distance that a wall moves in a step [m]
   Index fastest() const { return fastest_; }             ///< the wall that does
 
   /// The neighbour lists hold for the present poses.
@@ -75,24 +68,21 @@ class WallMotion {
 
   void save(SavedState& to) const {
     to.put("walls/pose", poses_now_);
-    to.put("walls/contact_pose",
-           table_.empty() ? poses_now_ : std::vector<WallPose>(table_.end() - surfaces_.count(), table_.end()));
   }
   /// @throws BadInput as SavedState::get
   void restore(const SavedState& from) {
     const auto walls = static_cast<std::size_t>(surfaces_.count());
-    poses_now_ = from.get<WallPose>("walls/pose", walls);
-    table_ = from.get<WallPose>("walls/contact_pose", walls);
+    table_ = poses_now_ = from.get<WallPose>("walls/pose", walls);
     Exec::upload(device_table_, table_);
     device_poses_ = device_table_.data();
   }
 
  private:
   /// A motion's speed changes from window to window only.
-  void find_fastest(const std::vector<Wall>& walls, double hold_time) {
+  void find_fastest(const std::vector<Wall>& walls, double dt) {
     largest_step_ = 0;
     for (std::size_t w = 0; w < walls.size(); ++w) {
-      const double moved = hold_time * sweep_speed(walls[w], surfaces_.extent(w), table_[w]);
+      const double moved = dt * sweep_speed(walls[w], surfaces_.extent(w), table_[w]);
       if (moved > largest_step_) largest_step_ = moved, fastest_ = static_cast<Index>(w);
     }
   }
@@ -101,7 +91,7 @@ class WallMotion {
   std::vector<WallPose> table_;  ///< steps + 1 rows of one pose a wall
   typename Exec::template Buffer<WallPose> device_table_;
   const WallPose* device_poses_ = nullptr;  ///< row of this step
-  std::vector<WallPose> poses_now_, listed_poses_, end_poses_;
+  std::vector<WallPose> poses_now_, listed_poses_;
   double largest_step_ = 0;
   Index fastest_ = none;
 };

@@ -5,11 +5,10 @@
 
 namespace gyro {
 
-/// How many blocks a kernel is run over, how often, and how much of a block can run at once.
+/// How many blocks a kernel is run over, and how much of a block can run at once.
 struct BlockLaunch {
   Index blocks;
   Index colour_size;  ///< items in a colour on average, or rows without items: that many threads of a GPU have work
-  int passes = 1;     ///< how often a block is worked on, before the next one is
 };
 
 }  // namespace gyro

@@ -33,8 +33,8 @@ namespace gyro {
 ///   host, upload, append, keep             the host's side of a buffer
 ///   host_team()                            threads for work on the host; null without any
 ///
-/// A kernel over blocks says how its work lies: rows(k) are prepared first, by prepare(row, pass); items(k) are then
-/// worked on as if one after the other; both `passes` times. A CPU core takes Kernel::Pack::count items at a time, a
+/// A kernel over blocks says how its work lies: rows(k) are prepared first, by prepare(row, k, pass); items(k) are then
+/// worked on as if one after the other; both passes(k) times. A CPU core takes Kernel::Pack::count items at a time, a
 /// GPU takes one item a thread (Kernel::Lane) and all items of a colour at once, for the colours(k) in their order.
 /// Rows of blocks are disjoint and ascend with k. The colours of a large block are given as the begins of their ranges
 /// of items.
@@ -94,7 +94,7 @@ class Cpu {
     if (launch.blocks == 0) return;
     const PhaseTimer::Mark mark = timer_.begin(label);
     if (threads_ == 1 || kernel.rows(launch.blocks - 1).end - kernel.rows(0).begin < inline_limit) {
-      for (Index k = 0; k < launch.blocks; ++k) work_on_block(k, launch.passes, kernel);
+      for (Index k = 0; k < launch.blocks; ++k) work_on_block(k, kernel);
     } else {
       // A thread starts with the blocks whose rows are its share of for_each, so that they stay in its
       // cache, and then helps the others.
@@ -103,7 +103,7 @@ class Cpu {
         for (int turn = 0; turn < threads_; ++turn) {
           BlockShare& share = shares[static_cast<std::size_t>((t + turn) % threads_)];
           for (Index k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
-            work_on_block(k, launch.passes, kernel);
+            work_on_block(k, kernel);
         }
       });
     }
@@ -219,12 +219,13 @@ class Cpu {
 
   /// The order of items is enough for one thread: no colours.
   template <class Kernel>
-  static void work_on_block(Index k, int passes, const Kernel& kernel) {
+  static void work_on_block(Index k, const Kernel& kernel) {
     using Pack = typename Kernel::Pack;
     const IndexRange rows = kernel.rows(k), items = kernel.items(k);
     GYRO_EXPECT(rows.begin <= rows.end && (items.end - items.begin) % Pack::count == 0);
+    const int passes = kernel.passes(k);
     for (int pass = 0; pass < passes; ++pass) {
-      for (Index row = rows.begin; row < rows.end; ++row) kernel.prepare(row, pass);
+      for (Index row = rows.begin; row < rows.end; ++row) kernel.prepare(row, k, pass);
       for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k, pass);
     }
   }

@@ -130,11 +130,11 @@ struct SumContacts {
 /// Elastic energy and count of the bonds, and the largest rotation of the ends of an intact one.
 struct BondSums {
   double elastic = 0;
-  std::int64_t intact = 0;
+  std::int64_t intact = 0, in_step = 0;  ///< as Counts::bonds_in_step
   double rotation = 0;
   ParticleId twisted = 0;
   GYRO_HD friend BondSums operator+(const BondSums& a, const BondSums& b) {
-    return {a.elastic + b.elastic, a.intact + b.intact, larger(a.rotation, b.rotation),
+    return {a.elastic + b.elastic, a.intact + b.intact, a.in_step + b.in_step, larger(a.rotation, b.rotation),
             a.rotation >= b.rotation ? a.twisted : b.twisted};
   }
 };
@@ -145,14 +145,15 @@ struct SumBonds {
   ConstBondView<Real> b;
   BondConstants<Real> law;
   BondModel model;
+  const Block* blocks;
 
   GYRO_HD BondSums operator()(Index n) const {
     if (b.state[n] == bond_broken) return {};
     BondLanes<Real, OneLane> bond(OneLane{n}, p, b);
     if (b.state[n] != bond_intact) bond.carry_axes(OneLane{n}, p, b, b.state[n], 0);
     const double elastic = static_cast<double>(bond_load(model, law, bond, b.state[n] != bond_intact).elastic);
-    if (b.state[n] != bond_intact) return {elastic, 0, 0, 0};
-    return {elastic, 1, ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
+    if (b.state[n] != bond_intact) return {elastic, 0, 0, 0, 0};
+    return {elastic, 1, blocks[p.block[b.i[n]]].substeps, ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
   }
 };
 

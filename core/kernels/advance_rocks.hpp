@@ -19,8 +19,8 @@ enum class Motions {
 
 /// From the forces of one step to the bond forces of the next, rock by rock: the second half of a step, the first half
 /// of the next, and the bonds at the new positions. A rock of some hundred particles stays in a core's cache meanwhile.
-/// Forces between rocks and of walls are evaluated elsewhere; while they are held, a rock takes all its steps in one
-/// go (passes).
+/// Forces between rocks and of walls are evaluated elsewhere, once in a step of the scene; while they are held, a rock
+/// takes all its sub-steps in one go (passes).
 ///
 /// A kernel for Exec::for_each_block: a block is a piece, its rows are particles, its items are bonds. Law is a bond
 /// law of core/laws/bond/models.hpp.
@@ -36,8 +36,11 @@ struct AdvanceRocks {
   Gather<Real> gather;
   Move move;
   BondForces<Real, Law> bonds;
-  Motions first;      ///< in pass 0; later ones are move_held
-  std::int64_t step;  ///< of pass 0
+  Motions first;       ///< in the first pass; later ones are move_held
+  std::int64_t step;   ///< steps of the scene before that in which contact forces were evaluated last, or of the first
+  int first_substep;   ///< sub-step of the first pass, as in BreakEvent; from the number of sub-steps on of the next step
+  bool to_next;        ///< after move_on: through the first sub-step of the next step, or to the end of this one
+  int only_pass = -1;  ///< >= 0: this pass alone
 
   GYRO_HD IndexRange rows(Index k) const { return {pieces[k].first_particle, pieces[k].end_particle}; }
   /// A whole number of packs.
@@ -53,28 +56,39 @@ struct AdvanceRocks {
   /// Bonds that share no particle.
   GYRO_HD IndexRange items_of_colour(Index colour) const { return {colour_begin[colour], colour_begin[colour + 1]}; }
 
-  GYRO_HD void prepare(Index particle, int pass) const {
-    const Motions motions = pass == 0 ? first : Motions::move_held;
+  GYRO_HD int passes(Index k) const { return only_pass >= 0 ? 1 : all_passes(pieces[k].substeps); }
+  GYRO_HD int all_passes(int substeps) const {
+    return first != Motions::move_on ? 1 : to_next ? substeps : substeps - 1;
+  }
+
+  GYRO_HD void prepare(Index particle, Index, int pass) const {
+    const Motions motions = number_of(pass) == 0 ? first : Motions::move_held;
     if (motions != Motions::loads_only) advance(particle, motions);
     if (gather.with_bonds) gather.p.bond_load[particle] = Load{};
   }
 
   template <class Lanes>
   GYRO_HD void operator()(const Lanes& lanes, Index k, int pass) const {
-    bonds(lanes, pieces[k].block, step + pass);
+    bonds(lanes, when(pieces[k], pass));
+  }
+  GYRO_HD BondStep when(const Piece& piece, int pass) const {
+    return {piece.block, step, first_substep + number_of(pass), gather.p.step[piece.first_particle]};
   }
 
  private:
+  GYRO_HD int number_of(int pass) const { return only_pass >= 0 ? only_pass : pass; }
+
   GYRO_HD void advance(Index n, Motions motions) const {
     const ParticleView& p = gather.p;
+    const double dt = p.step[n];
     Motion motion = p.motion[n];
     AngularMotion angular = p.angular_motion[n];
-    if (motions == Motions::move) return move(n, p.load[n], motion, angular);
+    if (motions == Motions::move) return move(n, dt, p.load[n], motion, angular);
     LostWork lost = p.losses[n];
     const Load load = gather.sum(n, motion.mass, motions == Motions::move_on, lost);
     p.losses[n] = lost;
-    half_kick(move.dt, load, motion, angular);
-    move(n, load, motion, angular);
+    half_kick(dt, load, motion, angular);
+    move(n, dt, load, motion, angular);
   }
 };
 
@@ -86,12 +100,11 @@ struct LargeRockBonds {
   static constexpr int blocks_at_once = AdvanceRocks<Real, Law>::blocks_at_once;
 
   BondForces<Real, Law> bonds;
-  Index block;
-  std::int64_t step;
+  BondStep when;
 
   template <class Lanes>
   GYRO_HD void operator()(const Lanes& lanes) const {
-    bonds(lanes, block, step);
+    bonds(lanes, when);
   }
 };
 

@@ -66,6 +66,14 @@ struct BondLanes {
   }
 };
 
+/// The bonds of which rock are evaluated, and when.
+struct BondStep {
+  Index block;
+  std::int64_t step;     ///< as in BreakEvent
+  std::int32_t substep;  ///< as in BreakEvent
+  double dt;             ///< of a sub-step [s]
+};
+
 /// Forces of the bonds of some lanes, added to the rows of their particles bond by bond, and failure: every bond is
 /// judged on the state that all of them saw and changes its own state only. Law is a bond law of
 /// core/laws/bond/models.hpp.
@@ -75,33 +83,41 @@ struct BondForces {
   Load* loads;  ///< from bonds, of each particle
   BondView<Real> b;
   Block* blocks;
-  BondConstants<Real> law;
+  BondConstants<Real> law;  ///< but for its step, which each rock has of its own
   BreakLog log;
 
-  /// @param block  of all bonds
-  /// @param step   number of this step
+  /// @param when  the same for all lanes
   template <class Lanes>
-  GYRO_FLATTEN GYRO_HD void operator()(const Lanes& lanes, Index block, std::int64_t step) const {
+  GYRO_FLATTEN GYRO_HD void operator()(const Lanes& lanes, const BondStep& when) const {
     using R = typename Lanes::template Number<Real>;
     const auto state = lanes.load(b.state);
     if (!lanes.any_unbroken(state)) return;
-    if (lanes.any_pressed(state)) return with_pressed(lanes, block, step);
+    if (lanes.any_pressed(state)) return with_pressed(lanes, when);
     const BondLanes<Real, Lanes> bond(lanes, p, b);
-    const BondLoad<R> load = intact_load(lanes, bond, block, step, lanes.template is_intact<Real>(state));
+    const BondLoad<R> load = intact_load(lanes, bond, when, lanes.template is_intact<Real>(state));
     lanes.add(loads, lanes.load(b.i), lanes.load(b.j), state, load, R(0));
   }
 
  private:
+  /// The constants of the law, with the step of these bonds.
+  template <class Lanes>
+  GYRO_HD auto spread(const Lanes& lanes, const BondStep& when) const {
+    using R = typename Lanes::template Number<Real>;
+    BondConstants<R> constants = lanes.spread(law);
+    constants.dt = R(static_cast<Real>(when.dt));
+    return constants;
+  }
+
   /// The same, if some of the bonds are pressed. Apart from the other, whose registers it would need.
   template <class Lanes>
-  GYRO_APART GYRO_FLATTEN GYRO_HD void with_pressed(const Lanes& lanes, Index block, std::int64_t step) const {
+  GYRO_APART GYRO_FLATTEN GYRO_HD void with_pressed(const Lanes& lanes, const BondStep& when) const {
     using R = typename Lanes::template Number<Real>;
     const auto state = lanes.load(b.state);
     const auto intact = lanes.template is_intact<Real>(state);
     BondLanes<Real, Lanes> bond(lanes, p, b);
-    bond.carry_axes(lanes, p, b, state, static_cast<double>(law.dt));
-    BondLoad<R> load = intact_load(lanes, bond, block, step, intact);
-    const auto pressed = Law::pressed(lanes.spread(law), bond.section, bond.strain_r, bond.rates);
+    bond.carry_axes(lanes, p, b, state, static_cast<double>(static_cast<Real>(when.dt)));
+    BondLoad<R> load = intact_load(lanes, bond, when, intact);
+    const auto pressed = Law::pressed(spread(lanes, when), bond.section, bond.strain_r, bond.rates);
     load.force = select(intact, load.force, pressed.load.force);
     load.torque_i = select(intact, load.torque_i, pressed.load.torque_i);
     load.torque_j = select(intact, load.torque_j, pressed.load.torque_j);
@@ -111,12 +127,12 @@ struct BondForces {
   }
 
   template <class Lanes, class Mask>
-  GYRO_HD auto intact_load(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, Index block, std::int64_t step,
+  GYRO_HD auto intact_load(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, const BondStep& when,
                            const Mask& intact) const {
     using R = typename Lanes::template Number<Real>;
-    const BondLoad<R> load = Law::load(lanes.spread(law), bond.section, bond.strain_r, bond.rates);
+    const BondLoad<R> load = Law::load(spread(lanes, when), bond.section, bond.strain_r, bond.rates);
     const auto broken = intact & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
-    if (lanes.any(broken)) note_failures(lanes, block, step, broken);
+    if (lanes.any(broken)) note_failures(lanes, when, broken);
     const R rotation2 = bond.strain_r.twist * bond.strain_r.twist + norm2(bond.strain_r.bend);
     if (lanes.any(intact & (rotation2 > R(log.rotation_limit * log.rotation_limit)))) raise_flag(log.limit_exceeded);
     return load;
@@ -128,8 +144,8 @@ struct BondForces {
   ///
   /// Failures are rare: what this needs of the bonds is computed again, so that their loads stay in registers.
   template <class Lanes, class Mask>
-  GYRO_COLD GYRO_HD void note_failures(const Lanes& lanes, Index block, std::int64_t step, const Mask& broken) const {
-    const auto constants = lanes.spread(law);
+  GYRO_COLD GYRO_HD void note_failures(const Lanes& lanes, const BondStep& when, const Mask& broken) const {
+    const auto constants = spread(lanes, when);
     const BondLanes<Real, Lanes> bond(lanes, p, b);
     const auto load = Law::load(constants, bond.section, bond.strain_r, bond.rates);
     const auto after = Law::pressed(constants, bond.section, bond.strain_r, bond.rates);
@@ -143,11 +159,11 @@ struct BondForces {
       const double stored = static_cast<double>(lanes.value(load.elastic, lane));
       const double lost_power = static_cast<double>(lanes.value(power, lane)) -
                                 (apart ? 0 : static_cast<double>(lanes.value(power_after, lane)));
-      const double released = stored - kept - 0.5 * static_cast<double>(law.dt) * lost_power;
+      const double released = stored - kept - 0.5 * static_cast<double>(static_cast<Real>(when.dt)) * lost_power;
       b.state[n] = apart ? bond_broken : bond_pressed;
-      log.events[take_number(log.count)] = {step, n, tension >= shear ? 1 : 2, released};
-      if (!is_raised(&blocks[block].state)) {  // several threads may work on one block
-        raise_flag(&blocks[block].state);
+      log.events[take_number(log.count)] = {when.step, when.substep, n, tension >= shear ? 1 : 2, released};
+      if (!is_raised(&blocks[when.block].state)) {  // several threads may work on one block
+        raise_flag(&blocks[when.block].state);
         raise_flag(log.block_cracked);
       }
       if (!apart) slip(lanes, bond, after.keep, lane);

@@ -16,7 +16,7 @@ struct Gather {
   ConstWallPairView<Real> walls;
   Vec3d gravity;
   bool with_bonds;
-  Load* held;  ///< contacts and walls of each particle; null: evaluated in each step
+  Load* held;  ///< contacts and walls of each particle; null: no particle has sub-steps
 
   /// @param mass           [kg]
   /// @param first_of_hold  contacts and walls have just been evaluated
@@ -75,19 +75,19 @@ struct Gather {
 template <class Real>
 struct FinishStep {
   Gather<Real> gather;
-  double dt;           ///< [s]
-  bool first_of_hold;  ///< as in Gather::sum()
-  bool kick;           ///< false: only the loads, before the first step of a scene
+  double dt;  ///< step of the scene [s]
+  bool kick;  ///< false: only the loads, before the first step of a scene
 
   GYRO_HD void operator()(Index n) const {
     const ParticleView& p = gather.p;
     Motion motion = p.motion[n];
     LostWork lost = p.losses[n];
-    const Load load = gather.sum(n, motion.mass, first_of_hold, lost);
+    const double step = p.step[n];
+    const Load load = gather.sum(n, motion.mass, step == dt || !kick, lost);
     p.load[n] = load;
     if (!kick) return;
     AngularMotion angular = p.angular_motion[n];
-    half_kick(dt, load, motion, angular);
+    half_kick(step, load, motion, angular);
     p.motion[n] = motion;
     p.angular_motion[n] = angular;
     p.losses[n] = lost;

@@ -17,30 +17,30 @@ GYRO_HD inline void half_kick(double dt, const Load& load, Motion& motion, Angul
 /// Until the second half of the kick, the velocities are those of mid-step: forces that depend on them see v(n+1/2).
 struct Move {
   ParticleView p;
-  double dt;                ///< [s]
-  double half_hold_offset;  ///< as in contact_centre(): lists must hold for the positions that contacts see [s]
+  double dt;                ///< step of the scene, from one evaluation of contacts to the next [s]
   double allowed2;          ///< square of the distance a particle may move before lists are stale [m2]
   std::int32_t* stale;      ///< set to 1 by any particle that moved further
   bool with_orientation;
-  double hold_time;  ///< time from one evaluation of contacts to the next [s]
   StepLimits limits;
   std::int32_t* limit_exceeded;  ///< set to 1 by any particle beyond them
 
+  /// @param step             of this particle [s]
   /// @param load             of the last step
   /// @param motion, angular  at the end of the last step
-  GYRO_HD void operator()(Index n, const Load& load, Motion motion, AngularMotion angular) const {
+  GYRO_HD void operator()(Index n, double step, const Load& load, Motion motion, AngularMotion angular) const {
     Sphere sphere = p.position[n];
-    half_kick(dt, load, motion, angular);
-    sphere.x += dt * motion.v;
-    if (with_orientation) p.orientation[n] = rotated(p.orientation[n], angular.w, dt);
+    half_kick(step, load, motion, angular);
+    sphere.x += step * motion.v;
+    if (with_orientation) p.orientation[n] = rotated(p.orientation[n], angular.w, step);
 
     p.motion[n] = motion;
     p.angular_motion[n] = angular;
     p.position[n] = sphere;
-    if (norm2(sphere.x + half_hold_offset * motion.v - p.listed_position[n]) > allowed2) raise_flag(stale);
+    // Lists must hold for the positions that contacts see.
+    if (norm2(sphere.x + time_to_middle(dt, step) * motion.v - p.listed_position[n]) > allowed2) raise_flag(stale);
     const double allowed = limits.speed_ratio * sphere.radius;
-    if (hold_time * hold_time * norm2(motion.v) > allowed * allowed ||
-        hold_time * hold_time * norm2(angular.w) > limits.rotation * limits.rotation)
+    if (dt * dt * norm2(motion.v) > allowed * allowed ||
+        dt * dt * norm2(angular.w) > limits.rotation * limits.rotation)
       raise_flag(limit_exceeded);
   }
 };

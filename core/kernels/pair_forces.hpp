@@ -11,7 +11,7 @@ namespace gyro {
 /// Contact of two particles: loads into the slots of the pair's two ends. A kernel for Exec::for_each_picked:
 /// neighbours are looked at one by one, and those that touch are evaluated several at a time.
 /// @tparam Law   a ContactLaw
-/// @tparam held  forces are held over several sub-steps
+/// @tparam held  some particles have sub-steps, over which forces are held
 template <class Real, class Law, bool held>
 struct PairForces {
   using Lane = OnePair;  ///< of a GPU thread
@@ -22,7 +22,7 @@ struct PairForces {
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
   ContactConstants<Real> constants;
-  double half_hold_offset;  ///< as in contact_centre() [s]
+  double dt;  ///< as in contact_centre() [s]
   OverlapCheck deep;
 
   /// Whether the pair touches. If it does not, its history is forgotten.
@@ -53,8 +53,8 @@ struct PairForces {
     const ParticleRow<D> va = lanes.row(p.motion, i), vb = lanes.row(p.motion, j);
     ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
     if constexpr (held) {  // as centre()
-      a.vector = a.vector + D(half_hold_offset) * va.vector;
-      b.vector = b.vector + D(half_hold_offset) * vb.vector;
+      a.vector = a.vector + D(0.5) * (D(dt) - lanes.at(p.step, i)) * va.vector;
+      b.vector = b.vector + D(0.5) * (D(dt) - lanes.at(p.step, j)) * vb.vector;
     }
     const ParticleRow<D> wa = lanes.row(p.angular_motion, i), wb = lanes.row(p.angular_motion, j);
 
@@ -79,7 +79,7 @@ struct PairForces {
   }
 
  private:
-  GYRO_HD Vec3d centre(Index particle) const { return contact_centre<held>(p, particle, half_hold_offset); }
+  GYRO_HD Vec3d centre(Index particle) const { return contact_centre<held>(p, particle, dt); }
   GYRO_HD void set_touching(Index n, std::int8_t touching) const {
     pairs.touching[n] = touching;
     pairs.loaded[pairs.at[n].i] = pairs.loaded[pairs.at[n].j] = touching;

@@ -53,7 +53,7 @@ struct WallTotal {
 /// the entry's exact sums. Half of the last step's load of a window acts in the next one's first half kick:
 /// work, impulse and angular impulse of a window are those that the rock has felt in it.
 /// @tparam Law   a ContactLaw
-/// @tparam held  forces are held over several sub-steps
+/// @tparam held  some particles have sub-steps, over which forces are held
 template <class Real, class Law, bool held>
 struct WallForces {
   static constexpr int blocks_at_once = 2;
@@ -63,18 +63,17 @@ struct WallForces {
   WallPairView<Real> near;
   WallBooking booking;
   const ContactConstants<Real>* constants;  ///< of rock against each wall
-  double dt;                                ///< time for which the forces act [s]
-  double half_hold_offset;                  ///< as in contact_centre() [s]
-  double carry_over;                        ///< share of that time beyond the window's end; 0 but for its last hold
+  double dt;                                ///< step of the scene, for which the forces act [s]
+  bool last_of_window;                      ///< half of a particle's last sub-step is beyond the window's end
   OverlapCheck deep;
 
   GYRO_HD void operator()(Index n) const {
     const WallEntry entry = near.entry[n];
-    const Sphere sphere{contact_centre<held>(p, entry.particle, half_hold_offset), p.position[entry.particle].radius};
     const WallPose pose = walls.poses[entry.wall];
+    const Sphere sphere{centre(entry.particle, pose), p.position[entry.particle].radius};
     const WallTouches touches =
         touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, sphere.x), sphere.radius);
-    if (carry_over > 0) booking.carried_over[n] = WallSum{};
+    if (last_of_window) booking.carried_over[n] = WallSum{};
     if (touches.count == 0) {
       if (near.touching[n]) {
         near.touching[n] = 0;
@@ -87,6 +86,13 @@ struct WallForces {
   }
 
  private:
+  /// As the wall sees it, which stands where it is at the end of the step: a particle with sub-steps is seen earlier.
+  GYRO_HD Vec3d centre(Index particle, const WallPose& pose) const {
+    const Vec3d x = contact_centre<held>(p, particle, dt);
+    if constexpr (held) return x + time_to_middle(dt, p.step[particle]) * velocity_at(pose, x);
+    return x;
+  }
+
   GYRO_HD void evaluate(Index n, const WallEntry& entry, const Sphere& sphere, const WallPose& pose,
                         const WallTouches& touches) const {
     const Motion motion = p.motion[entry.particle];
@@ -141,8 +147,9 @@ struct WallForces {
     near.history[n] = now;
     if constexpr (Law::keeps_extra_history) near.extra[n] = now_extra;
     near.result[n] = result;
-    total.book((1 - carry_over) * dt, booking.sums[n]);
-    if (carry_over > 0) total.book(carry_over * dt, booking.carried_over[n]);
+    const double later = last_of_window ? 0.5 * p.step[entry.particle] : 0;
+    total.book(dt - later, booking.sums[n]);
+    if (last_of_window) total.book(later, booking.carried_over[n]);
   }
 
   /// The contact of the last step with the nearest normal (within 45 degrees), each used once if there are enough; -1:

@@ -69,7 +69,8 @@ struct Block {
   Index first_bond, end_bond;      ///< end is padded to bond_alignment
   Index first_colour, end_colour;  ///< range in the array of colour begins
   RockId rock;
-  std::int32_t state;  ///< BlockState
+  std::int32_t state;     ///< BlockState
+  std::int32_t substeps;  ///< steps of its bonds in a step of the scene; 1 without bonds
 
   template <class F, class... B>
   static constexpr void for_each_field(F&& f, B&... b) {
@@ -81,6 +82,7 @@ struct Block {
     f("end_colour", b.end_colour...);
     f("rock", b.rock...);
     f("state", b.state...);
+    f("substeps", b.substeps...);
   }
 };
 static_assert(declares_every_field<Block>);
@@ -96,7 +98,8 @@ struct BondIndex {
 
 /// A bond that failed, as the kernel saw it.
 struct BreakEvent {
-  std::int64_t step;
+  std::int64_t step;     ///< steps of the scene before the one in which it failed
+  std::int32_t substep;  ///< from 0: the sub-step at whose end it failed
   Index bond;
   std::int32_t mode;  ///< BreakMode
   double energy;      ///< [J]

@@ -94,6 +94,7 @@ struct Particles {
   Column<Quatd> orientation;      ///< since the particle came into the scene; empty without bonds
   Column<Load> load;              ///< total at the present position, gravity included
   Column<Load> bond_load;         ///< from bonds alone; empty without bonds
+  Column<double> step;            ///< of its rock: the scene's over its sub-steps [s]
   Column<Vec3d> listed_position;  ///< centre when the neighbour lists were built [m]
   Column<LostWork> losses;
   Column<double> damping_rate;  ///< of its contacts in their last evaluation: sum of ContactLoad::dashpot / mass [1/s]
@@ -112,6 +113,7 @@ struct Particles {
     f("motion", p.motion...);
     f("angular_motion", p.angular_motion...);
     f("load", p.load...);
+    f("step", p.step...);
     f("listed_position", p.listed_position...);
     f("losses", p.losses...);
     f("damping_rate", p.damping_rate...);
@@ -131,13 +133,21 @@ using ParticleView = Particles<Pointer>;
 using ConstParticleView = Particles<ConstPointer>;
 static_assert(declares_every_column<ParticleView>());
 
-/// The centre of a sphere as contacts see it: where it is or, with forces that are `held` over several steps, where
-/// it will be in their middle at its present velocity. So held forces are those of a leapfrog with the longer step;
-/// forces at the begin of the hold would heat an elastic impact.
-/// @param half_hold_offset  time to the middle of the hold [s]
+/// How far ahead of its position contacts see a particle, at its present velocity: to the middle of the time for which
+/// they hold. So held forces are those of a leapfrog with the longer step; forces at the begin of the hold would heat
+/// an elastic impact. Zero for a particle without sub-steps.
+/// @param dt    step of the scene, for which contact forces are held [s]
+/// @param step  of the particle [s]
+GYRO_HD inline double time_to_middle(double dt, double step) {
+  return 0.5 * (dt - step);
+}
+
+/// The centre of a sphere as contacts see it.
+/// @tparam held  some particles of the scene have sub-steps
+/// @param dt     step of the scene [s]
 template <bool held>
-GYRO_HD Vec3d contact_centre(const ConstParticleView& p, Index n, double half_hold_offset) {
-  if constexpr (held) return p.position[n].x + half_hold_offset * p.motion[n].v;
+GYRO_HD Vec3d contact_centre(const ConstParticleView& p, Index n, double dt) {
+  if constexpr (held) return p.position[n].x + time_to_middle(dt, p.step[n]) * p.motion[n].v;
   return p.position[n].x;
 }
 

@@ -111,8 +111,8 @@ class Mirror {
     const Opened opened;
     for (Index k = launch.blocks - 1; k >= 0; --k) {
       const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
-      for (int pass = 0; pass < launch.passes; ++pass) {
-        for (Index row = rows.end - 1; row >= rows.begin; --row) kernel.prepare(row, pass);
+      for (int pass = 0; pass < kernel.passes(k); ++pass) {
+        for (Index row = rows.end - 1; row >= rows.begin; --row) kernel.prepare(row, k, pass);
         for (Index c = colours.begin; c < colours.end; ++c) {
           const IndexRange items = kernel.items_of_colour(c);
           for (Index item = items.end - 1; item >= items.begin; --item) kernel(typename Kernel::Lane{item}, k, pass);

@@ -16,7 +16,7 @@ inline const PairProperties& pair_of(const Scene& scene, Index a, Index b) {
 template <class Real>
 ContactConstants<Real> contact_constants(const Scene& scene, Index a, Index b) {
   return contact_constants<Real>(scene.materials[static_cast<std::size_t>(a)],
-                                 scene.materials[static_cast<std::size_t>(b)], pair_of(scene, a, b), scene.hold_time(),
+                                 scene.materials[static_cast<std::size_t>(b)], pair_of(scene, a, b), scene.dt,
                                  scene.damping_cap);
 }
 
