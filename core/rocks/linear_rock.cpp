@@ -45,24 +45,23 @@ Element bond_element(const BondFrame& frame, const DampedBond& springs) {
 
 LinearRock linearise(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed) {
   const Eigen::Index particles = static_cast<Eigen::Index>(rock.centres.size());
-  std::vector<Inertia> inertia(particles);
   std::vector<Eigen::Triplet<double>> stiffness, damping;
   LinearRock linear;
   linear.inverse_root_mass.resize(6 * particles);
   for (Eigen::Index p = 0; p < particles; ++p) {
-    inertia[p] = inertia_of(rock.radii[p], rock.particle_density);
-    const BedSprings springs = bed_springs(bed, rock.radii[p], inertia[p].mass);
+    const Inertia inertia = inertia_of(rock.radii[p], rock.particle_density);
+    const InverseRoot scale(inertia);
+    const BedSprings springs = scaled_bed(bed, rock.radii[p], inertia);
     for (int k = 0; k < 6; ++k) {
-      const double m = k < 3 ? inertia[p].mass : inertia[p].moment;
       const SpringDamper& spring = k < 3 ? springs.translation : springs.rotation;
-      linear.inverse_root_mass[6 * p + k] = 1 / std::sqrt(m);
-      stiffness.emplace_back(6 * p + k, 6 * p + k, spring.stiffness / m);
-      damping.emplace_back(6 * p + k, 6 * p + k, spring.damping / m);
+      linear.inverse_root_mass[6 * p + k] = k < 3 ? scale.mass : scale.moment;
+      stiffness.emplace_back(6 * p + k, 6 * p + k, spring.stiffness);
+      damping.emplace_back(6 * p + k, 6 * p + k, spring.damping);
     }
   }
   for (const TemplateBond& bond : rock.bonds) {
     const Index i = bond.i, j = bond.j;
-    const Element e = bond_element(bond_frame(rock, bond), damped_bond(bonds, bond, inertia[i], inertia[j]));
+    const Element e = bond_element(bond_frame(rock, bond), damped_bond(bonds, rock, bond));
     const auto row = [&](int k) { return k < 6 ? 6 * i + k : 6 * j + k - 6; };
     for (int a = 0; a < 12; ++a) {
       for (int b = 0; b < 12; ++b) {

@@ -30,27 +30,20 @@ class RockOperator {
   void apply(const Eigen::VectorXd& x, Eigen::VectorXd& result) const;
   /// The step [s] at which v A(dt) v = 4 v v; infinity if there is none. An upper bound on the largest stable step.
   double step_of_mode(const Eigen::VectorXd& v) const;
-  /// The largest step [s] at which no row sum of |A(dt)| is above 4: a lower bound on the largest stable step. Parts of
-  /// bonds that would cancel each other within a particle are added up.
-  double gershgorin_step() const;
 
  private:
-  struct Scale {
-    double translation, rotation;  ///< 1/sqrt(m), 1/sqrt(moment of inertia)
-  };
   struct BondFactors {
     double normal, shear, twist, bending;  ///< dt^2 k + 2 dt c
   };
   struct BedFactors {
     double translation, rotation;
   };
-  DampedBond springs_of(const TemplateBond& bond) const;
   BedSprings bed_of(std::size_t particle) const;
 
   const RockTemplate& rock_;
   BondParameters bonds_;
   BedContacts bed_;
-  std::vector<Scale> scales_;
+  std::vector<InverseRoot> scales_;
   std::vector<BondFactors> bond_factors_;
   std::vector<BedFactors> bed_factors_;
 };

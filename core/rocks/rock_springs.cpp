@@ -13,7 +13,9 @@ Inertia inertia_of(double radius, double density) {
   return {mass, 0.4 * mass * radius * radius};
 }
 
-DampedBond damped_bond(const BondParameters& p, const TemplateBond& bond, const Inertia& i, const Inertia& j) {
+DampedBond damped_bond(const BondParameters& p, const RockTemplate& rock, const TemplateBond& bond) {
+  const Inertia i = inertia_of(rock.radii[bond.i], rock.particle_density);
+  const Inertia j = inertia_of(rock.radii[bond.j], rock.particle_density);
   const auto k = bond_springs(stiffness_per_area(p.normal_stiffness, p.normal_modulus, bond.length),
                               stiffness_per_area(p.shear_stiffness, p.shear_modulus, bond.length), bond.radius);
   const auto reduced = [](double a, double b) { return a * b / (a + b); };
@@ -24,15 +26,15 @@ DampedBond damped_bond(const BondParameters& p, const TemplateBond& bond, const 
   return {damped(k.normal, mass), damped(k.shear, mass), damped(k.twist, moment), damped(k.bending, moment)};
 }
 
-BedSprings bed_springs(const BedContacts& bed, double radius, double mass) {
+BedSprings scaled_bed(const BedContacts& bed, double radius, const Inertia& inertia) {
   constexpr double counterphase = 2;
   const double kn = bed.normal_stiffness * radius, kt = bed.tangential_stiffness * radius;
-  const double cn = 2 * bed.normal_damping * std::sqrt(kn * mass / 2);
-  const double ct = 2 * bed.tangential_damping * std::sqrt(kt * mass / 2);
+  const double cn = 2 * bed.normal_damping * std::sqrt(kn * inertia.mass / 2);
+  const double ct = 2 * bed.tangential_damping * std::sqrt(kt * inertia.mass / 2);
   const double n = counterphase * bed.number;
   const double r2 = radius * radius;
-  return {SpringDamper{n * (kn + 2 * kt) / 3, n * (cn + 2 * ct) / 3},
-          SpringDamper{n * 2 * kt * r2 / 3, n * 2 * ct * r2 / 3}};
+  return {SpringDamper{n * (kn + 2 * kt) / 3 / inertia.mass, n * (cn + 2 * ct) / 3 / inertia.mass},
+          SpringDamper{n * 2 * kt * r2 / 3 / inertia.moment, n * 2 * ct * r2 / 3 / inertia.moment}};
 }
 
 }  // namespace gyro

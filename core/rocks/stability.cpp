@@ -14,7 +14,7 @@ namespace {
 /// The smallest step at which 4 - A(dt) is singular. Each round finds the most unstable mode at the present step, at
 /// first roughly, then the step that this mode allows, which is never below the smallest. Converges quadratically.
 double critical_step_of(RockOperator& rock, double guess) {
-  constexpr double rough = 1e-2, tolerance = 1e-4, settled = 2e-5;
+  constexpr double rough = 1e-2, tolerance = 1e-5, settled = 2e-5;
   constexpr int rounds = 30;
   Eigen::VectorXd vector(rock.size());
   for (Eigen::Index k = 0; k < vector.size(); ++k) {
@@ -38,11 +38,7 @@ double critical_step_of(RockOperator& rock, double guess) {
 
 double critical_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed) {
   RockOperator linear(rock, bonds, bed);
-  return critical_step_of(linear, linear.gershgorin_step());
-}
-
-double gershgorin_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed) {
-  return RockOperator(rock, bonds, bed).gershgorin_step();
+  return critical_step_of(linear, gershgorin_step(rock, bonds, bed));
 }
 
 double loose_critical_step(double radius, double density, const BedContacts& bed) {
