@@ -10,7 +10,7 @@ namespace gyro {
 namespace {
 
 /// Increase it with every change that makes different rocks from the same recipe.
-constexpr int generator_version = 3;
+constexpr int generator_version = 4;
 
 class Text {
  public:
@@ -117,6 +117,7 @@ void check_recipe(const LibraryRecipe& recipe) {
                              recipe.bed.normal_damping, recipe.bed.tangential_damping}) {
     check_not_negative("every number of the bed's contacts", value);
   }
+  if (!(recipe.bed.damping_cap >= 0)) throw BadInput("the cap on the damping of the bed's contacts must be >= 0");
 }
 
 std::string recipe_text(const LibraryRecipe& recipe) {
@@ -141,6 +142,7 @@ std::string recipe_text(const LibraryRecipe& recipe) {
   text.number("bed tangential stiffness", recipe.bed.tangential_stiffness);
   text.number("bed normal damping", recipe.bed.normal_damping);
   text.number("bed tangential damping", recipe.bed.tangential_damping);
+  text.number("bed damping cap", recipe.bed.damping_cap);
   return text.finish();
 }
 

@@ -4,6 +4,8 @@
 #include "core/rocks/rock_template.hpp"
 #include "core/scene/scene.hpp"
 
+#include <limits>
+
 namespace gyro {
 
 /// Contacts that every particle may have in a dense bed, in addition to its bonds. A Hertz contact at
@@ -14,6 +16,8 @@ struct BedContacts {
   double tangential_stiffness = 0;  ///< S_t / R [Pa]
   double normal_damping = 0;        ///< c_n / (2 sqrt(S_n m*)), m* = m/2 [-]
   double tangential_damping = 0;    ///< c_t / (2 sqrt(S_t m*)) [-]
+  /// beta: the engine caps the dashpots of contacts so that no eigenvalue of dt M^-1 C_contacts is above it [-]
+  double damping_cap = std::numeric_limits<double>::infinity();
 };
 
 /// Largest stable step [s] of the leapfrog map v += dt M^-1 (-K x - C v), x += dt v of the rock, linearised

@@ -123,6 +123,7 @@ TEST_CASE("The text of a recipe names everything that a library depends on, shap
   differs([](LibraryRecipe& r) { r.bond_rule.radius = AbsoluteBondRadius{0.5}; });
   differs([](LibraryRecipe& r) { r.bond_parameters.damping = 0.06; });
   differs([](LibraryRecipe& r) { r.bed.number = 7; });
+  differs([](LibraryRecipe& r) { r.bed.damping_cap = 0.5; });
 
   const auto text_of = [](const GivenShape& shape) {
     LibraryRecipe recipe = small_recipe();

@@ -1,48 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rocks/stability.hpp"
 #include "core/math/random.hpp"
-#include "core/rocks/bonds.hpp"
-#include "core/rocks/fill.hpp"
 #include "core/rocks/linear_rock.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/rocks/small_rocks.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
 using namespace gyro;
+using namespace gyro::small_rocks;
 
 namespace {
-
-constexpr double kn = 1.67e12, ks = 6.67e11, rho = 2600;
-const BedContacts no_bed{};
-
-BondParameters bonds_with(double damping) {
-  return {kn, ks, 36e6, 24e6, damping};
-}
-
-RockTemplate spheres(std::vector<Vec3d> centres, std::vector<double> radii, const BondRule& rule) {
-  RockTemplate rock;
-  rock.centres = std::move(centres);
-  rock.radii = std::move(radii);
-  rock.particle_density = rho;
-  rock.bonds = make_bonds(rock.centres, rock.radii, rule);
-  return rock;
-}
-
-RockTemplate pair(double radius, double bond) {
-  return spheres({{0, 0, 0}, {2 * radius, 0, 0}}, {radius, radius}, {0.05, AbsoluteBondRadius{bond}});
-}
-
-/// A procedural rock of particles of one diameter.
-RockTemplate cluster(double ratio, double particle, const BondRule& rule, int number = 0) {
-  const Filling f =
-      fill(Mould(procedural_shape(1, number)), MonoFill{ratio}, rule, {1, 42, static_cast<std::uint64_t>(number)});
-  const double scale = particle / (2 * f.radii[0]);
-  std::vector<Vec3d> centres;
-  for (const Vec3d& c : f.centres) centres.push_back(scale * c);
-  return spheres(centres, std::vector<double>(centres.size(), particle / 2), rule);
-}
 
 /// Growth of the step map's state over many steps, from random velocities.
 double growth(const LinearRock& rock, double dt, int steps) {
