@@ -66,7 +66,6 @@ void set_scene(Scene& scene, const Case& input) {
   scene.pairs = pair_table(input);
   scene.rock_material = input.rock_material;
   scene.gravity = input.gravity;
-  scene.substeps = input.numerics.substeps;
   scene.wall_impulses = input.output.liners.has_value();
   if (input.bonds) {
     scene.bonds = input.bonds->parameters;
@@ -116,9 +115,20 @@ void set_discharge(Assembly& out, const Case& input) {
 }
 
 void set_step(Assembly& out, const Case& input) {
-  const StepRequest request{input.coupling_interval, input.time.step, input.time.safety};
-  out.step = blaming("time.step", [&] { return choose_step(out.setup, request); });
-  blaming("numerics.substeps", [&] { check_hold(out.step, out.setup.scene.substeps); });
+  const CaseNumerics& numerics = input.numerics;
+  StepRequest request{input.coupling_interval, input.time.step, input.time.safety};
+  request.rates.substeps = numerics.substeps;
+  if (numerics.hold) {
+    request.rates.kind = *numerics.hold > 0 ? Rates::Kind::given : Rates::Kind::automatic;
+    request.rates.hold = *numerics.hold;
+  }
+  out.step = blaming("time.step", [&] {
+    try {
+      return choose_step(out.setup, request);
+    } catch (const BadHold& problem) {
+      throw BadKey(numerics.hold ? "numerics.hold" : "numerics.substeps", problem.what());
+    }
+  });
   set_step(out.setup, out.step);
 }
 

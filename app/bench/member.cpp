@@ -42,13 +42,19 @@ double smallest_radius(const Setup& setup) {
 }
 
 /// Sets what a case cannot: skins of neighbour lists, and holds beyond the limit of the check of a case.
-void apply(const KnobSetting& setting, double window, Setup& setup) {
+void apply(const KnobSetting& setting, double window, Assembly& assembly) {
+  Setup& setup = assembly.setup;
   setup.inspection_interval = 0;  // no particle is removed
   if (setting.margin > 0) setup.scene.neighbour_skin = setting.margin * smallest_radius(setup);
   if (setting.hold == 1) return;
-  setup.steps_per_window = setting.hold * static_cast<int>(std::ceil(1.0 * setup.steps_per_window / setting.hold));
-  setup.scene.dt = window / setup.steps_per_window;
-  setup.scene.substeps = setting.hold;
+  StepChoice& step = assembly.step;
+  step.steps_per_window = static_cast<int>(std::ceil(1.0 * step.steps_per_window / setting.hold));
+  step.dt = window / step.steps_per_window;
+  step.bond_step = step.dt / setting.hold;
+  step.most_substeps = setting.hold;
+  step.of_library.assign(step.of_library.size(), setting.hold);
+  step.of_start.assign(step.of_start.size(), setting.hold);
+  set_step(setup, step);
 }
 
 /// Index of the wall whose force and work are measured.
@@ -101,13 +107,13 @@ MemberResult run_member(const Member& member) {
   const Case input = load(member, member.setting.overrides);
   Assembly assembly = assemble(input, {.threads = 1});
   Setup& setup = assembly.setup;
-  apply(member.setting, input.coupling_interval, setup);
+  apply(member.setting, input.coupling_interval, assembly);
   auto dem = make_dem(choose_device("cpu", 1), setup.scene, input.numerics.precision);
   const std::unique_ptr<Simulation> made = make_simulation(input, setup, std::move(dem));
   Simulation& simulation = *made;
   Watched run{simulation, tool_of(*member.scene, setup)};
   MemberResult result;
-  result.time_step = setup.scene.dt;
+  result.time_step = assembly.step.bond_step;
   result.time_step_limit = assembly.step.limit;
   const double end = input.time.duration - 1e-6 * setup.steps_per_window * setup.scene.dt;
   const double start = thread_seconds();

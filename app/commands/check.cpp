@@ -108,7 +108,9 @@ Estimate estimate(const Case& input, const Assembly& assembly, int threads) {
 }
 
 void add_figures(nlohmann::json& out, const Estimate& e) {
-  out["time_step"] = e.step.dt;
+  out["time_step"] = e.step.bond_step;
+  out["hold"] = e.step.dt;
+  out["substeps"] = {e.step.fewest_substeps, e.step.most_substeps};
   out["time_step_limit"] = e.step.limit;  // null where nothing limits it
   out["limited_by"] = e.step.limited_by;
   out["particles"] = e.particles;
@@ -133,11 +135,22 @@ void print_memory(const Estimate& e) {
   std::printf("\n");
 }
 
+void print_step(const StepChoice& step) {
+  std::printf("step           %.4g us", step.bond_step * 1e6);
+  if (std::isfinite(step.limit)) std::printf(", limit %.4g us (%s)", step.limit * 1e6, step.limited_by.c_str());
+  std::printf("\n");
+  if (step.most_substeps == 1) return;
+  std::printf("hold           %.4g us of contacts and walls", step.dt * 1e6);
+  if (!step.hold_limited_by.empty()) std::printf(" (%s)", step.hold_limited_by.c_str());
+  if (step.fewest_substeps == step.most_substeps)
+    std::printf(", %d sub-steps of every rock\n", step.most_substeps);
+  else
+    std::printf(", %d to %d sub-steps of a rock\n", step.fewest_substeps, step.most_substeps);
+}
+
 void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   std::cout << input.resolved << "\n";
-  std::printf("step           %.4g us", e.step.dt * 1e6);
-  if (std::isfinite(e.step.limit)) std::printf(", limit %.4g us (%s)", e.step.limit * 1e6, e.step.limited_by.c_str());
-  std::printf("\n");
+  print_step(e.step);
   std::printf("steps          %lld, %d per coupling interval\n", static_cast<long long>(e.steps),
               e.step.steps_per_window);
   std::printf("particles      %s at the start, about %s by the end if all the feed finds room\n",

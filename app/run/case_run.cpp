@@ -180,7 +180,8 @@ Summary CaseRun::base_summary() const {
   s.device = options_.device.name;
   s.precision = to_string(input_.numerics.precision);
   s.threads = options_.device.threads;
-  s.time_step = assembly_.step.dt;
+  s.time_step = assembly_.step.bond_step;
+  s.hold = assembly_.step.dt;
   s.time_step_limit = assembly_.step.limit;
   return s;
 }

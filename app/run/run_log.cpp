@@ -34,11 +34,11 @@ void RunLog::resumed(const Simulation& simulation, const std::string& writer) {
 void RunLog::started(const Device& device, const StepChoice& step, const Simulation& simulation) {
   const Counts counts = simulation.dem().counts();
   char line[400];
-  std::snprintf(line, sizeof line,
-                "gyrosim %s (%s), %s, %d %s, step %.4g us (limit %.4g us: %s), %lld particles, %lld bonds",
-                version::number, version::git, device.name.c_str(), device.threads,
-                device.threads == 1 ? "thread" : "threads", step.dt * 1e6, step.limit * 1e6, step.limited_by.c_str(),
-                static_cast<long long>(counts.particles), static_cast<long long>(counts.bonds_intact));
+  std::snprintf(
+      line, sizeof line, "gyrosim %s (%s), %s, %d %s, step %.4g us (limit %.4g us: %s), %lld particles, %lld bonds",
+      version::number, version::git, device.name.c_str(), device.threads, device.threads == 1 ? "thread" : "threads",
+      step.bond_step * 1e6, step.limit * 1e6, step.limited_by.c_str(), static_cast<long long>(counts.particles),
+      static_cast<long long>(counts.bonds_intact));
   log_.info(line);
   if (!quiet_) std::cerr << line << "\nresults in " << directory_.string() << "\n";
 }

@@ -34,7 +34,7 @@ struct Discharge {
 ///   while (run.time() < 1) run.advance();
 struct Setup {
   Scene scene;                   ///< `dt` and `substeps` included
-  int steps_per_window = 1;      ///< of the longest window; a multiple of scene.substeps
+  int steps_per_window = 1;      ///< of the longest window
   std::vector<NewRock> start;    ///< rocks at t = 0, besides those of the feed
   RockLibrary library;           ///< rocks that the feed draws from
   std::optional<FeedPlan> feed;  ///< needs the library

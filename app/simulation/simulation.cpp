@@ -25,8 +25,7 @@ std::vector<std::string> wall_names(const Scene& scene) {
 
 LedgerLimits ledger_limits(const Setup& setup) {
   const Scene& scene = setup.scene;
-  return {
-      .step = scene.limits, .energy_fraction = setup.max_energy_residual, .contact_step = scene.substeps * scene.dt};
+  return {.step = scene.limits, .energy_fraction = setup.max_energy_residual, .contact_step = scene.dt};
 }
 
 /// Does `work`; bad input that it meets is the fault of this part of the setup.
@@ -78,12 +77,10 @@ void Simulation::start() {
   open_balances();
 }
 
-/// Steps of the next window: fewer than the longest while the exchange with the drive is too coarse, but whole holds.
+/// Steps of the next window: fewer than the longest while the exchange with the drive is too coarse.
 int Simulation::steps_ahead(int max_steps) const {
-  const int hold = setup_.scene.substeps;
   const int divisor = drivetrain_ ? drivetrain_->window_divisor() : 1;
-  const int steps = std::min(setup_.steps_per_window / divisor, max_steps);
-  return std::max(hold, steps / hold * hold);
+  return std::max(1, std::min(setup_.steps_per_window / divisor, max_steps));
 }
 
 WindowResult Simulation::advance(int max_steps) {

@@ -52,7 +52,7 @@ class Simulation {
 
   /// Advances by one window, and inspects when setup.inspection_interval asks for it. Ask for the verdict before the
   /// next.
-  /// @param max_steps  makes the window shorter than setup.steps_per_window; at least one hold is done
+  /// @param max_steps  makes the window shorter than setup.steps_per_window; at least one step is done
   WindowResult advance(int max_steps = std::numeric_limits<int>::max());
   /// A window that this condition gives up ends advance() with WindowGivenUp: it never was, the figures stay those of
   /// its beginning, and the simulation cannot go on but from a saved state. Bits of windows that end are not changed.

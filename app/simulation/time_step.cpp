@@ -21,6 +21,7 @@ BedContacts bed_contacts(const Scene& scene) {
   bed.normal_stiffness = stiffness.normal;
   bed.tangential_stiffness = stiffness.tangential + stiffness.rolling;
   bed.normal_damping = bed.tangential_damping = stiffness.damping;
+  bed.damping_cap = scene.damping_cap;
   return bed;
 }
 
@@ -49,43 +50,80 @@ struct Limit {
       by = what;
     }
   }
+  void consider(const Limit& other) { consider(other.step, other.by); }
 };
 
-struct Limits {
-  Limit minimum;
-  double contacts = std::numeric_limits<double>::infinity();  ///< of the smallest loose particle [s]
+/// The smallest loose particle, by its step: a contact's stiffness grows with the radius.
+struct SmallestParticle {
+  double radius = 1e300, density = 0;
+  void consider(double other, double rho) {
+    if (density > 0 && !(other * std::sqrt(rho) < radius * std::sqrt(density))) return;
+    radius = other;
+    density = rho;
+  }
 };
 
-Limits stability_limits(const Scene& scene, const RockLibrary& library, std::span<const NewRock> start) {
-  const BedContacts bed = bed_contacts(scene);
-  Limits limits;
-  Limit& limit = limits.minimum;
-  double smallest = 1e300, density = 0;
-  const auto consider_particle = [&](double radius, double rho) {
-    if (radius * std::sqrt(rho) < smallest * std::sqrt(density > 0 ? density : rho)) {
-      smallest = radius;
-      density = rho;
-    }
-  };
-  for (const RockTemplate& rock : library.rocks) {
-    if (scene.bonds) limit.consider(rock.critical_step, "bonds of rock " + rock.name);
-    for (const double r : rock.radii) consider_particle(r, rock.particle_density);
-  }
-  for (const NewRock& rock : start) {
-    if (scene.bonds && !rock.bonds.empty()) {
-      const std::string name = std::to_string(rock.id);
-      limit.consider(critical_step(as_template(rock, name), *scene.bonds, bed), "bonds of rock " + name);
-    }
-    for (const NewParticle& p : rock.particles) consider_particle(p.radius, p.density);
-  }
-  if (density > 0) {
-    std::ostringstream what;
-    what << "contacts of particles of radius " << smallest * 1e3 << " mm";
-    limits.contacts = loose_critical_step(smallest, density, bed);
-    limit.consider(limits.contacts, what.str());
-  }
-  return limits;
+SmallestParticle smallest_particle(const RockLibrary& library, std::span<const NewRock> start) {
+  SmallestParticle smallest;
+  for (const RockTemplate& rock : library.rocks)
+    for (const double r : rock.radii) smallest.consider(r, rock.particle_density);
+  for (const NewRock& rock : start)
+    for (const NewParticle& p : rock.particles) smallest.consider(p.radius, p.density);
+  return smallest;
 }
+
+/// Limits of the steps of a setup's rocks.
+class RockLimits {
+ public:
+  explicit RockLimits(const Setup& setup)
+      : setup_(setup), bed_(bed_contacts(setup.scene)), smallest_(smallest_particle(setup.library, setup.start)) {}
+
+  /// Contacts of the smallest loose particle [s].
+  Limit loose(bool damped) const {
+    Limit limit;
+    if (!(smallest_.density > 0)) return limit;
+    BedContacts bed = bed_;
+    if (!damped) bed.normal_damping = bed.tangential_damping = 0;
+    std::ostringstream what;
+    what << "contacts of particles of radius " << smallest_.radius * 1e3 << " mm";
+    limit.consider(loose_critical_step(smallest_.radius, smallest_.density, bed), what.str());
+    return limit;
+  }
+
+  /// A rock with bonds, and the place of its sub-steps.
+  struct Rock {
+    std::vector<int> StepChoice::*place;
+    std::size_t k;
+  };
+  std::vector<Rock> bonded() const {
+    std::vector<Rock> all;
+    if (!setup_.scene.bonds) return all;
+    for (std::size_t k = 0; k < setup_.library.rocks.size(); ++k) all.push_back({&StepChoice::of_library, k});
+    for (std::size_t k = 0; k < setup_.start.size(); ++k)
+      if (!setup_.start[k].bonds.empty()) all.push_back({&StepChoice::of_start, k});
+    return all;
+  }
+
+  /// @param with_bed  bonds with what the rock touches, or alone
+  Limit of(const Rock& rock, bool with_bed) const {
+    Limit limit;
+    if (rock.place == &StepChoice::of_library) {
+      const RockTemplate& t = setup_.library.rocks[rock.k];
+      limit.consider(with_bed ? t.critical_step : t.bond_step, "bonds of rock " + t.name);
+    } else {
+      const std::string name = std::to_string(setup_.start[rock.k].id);
+      limit.consider(
+          critical_step(as_template(setup_.start[rock.k], name), *setup_.scene.bonds, with_bed ? bed_ : BedContacts{}),
+          "bonds of rock " + name);
+    }
+    return limit;
+  }
+
+ private:
+  const Setup& setup_;
+  BedContacts bed_;
+  SmallestParticle smallest_;
+};
 
 /// The step in which the fastest wall of given motion sweeps the allowed share of the smallest radius.
 Limit sweep_limit(const Scene& scene, double smallest_radius) {
@@ -104,18 +142,120 @@ Limit sweep_limit(const Scene& scene, double smallest_radius) {
   throw BadInput(message.str());
 }
 
-void check_step(double wanted, const Limit& stable, double safety, const Limit& sweep, double speed_ratio) {
+void check_step(double wanted, const Limit& stable, double safety) {
   constexpr double rounding = 1 + 1e-9;
+  if (wanted <= rounding * safety * stable.step) return;
   std::ostringstream what;
-  if (wanted > rounding * safety * stable.step) {
-    what << safety << " of the stability limit of " << stable.step << " s (" << stable.by << ")";
-    refuse_step(wanted, what.str(), safety * stable.step, " at this safety factor");
+  what << safety << " of the stability limit of " << stable.step << " s (" << stable.by << ")";
+  refuse_step(wanted, what.str(), safety * stable.step, " at this safety factor");
+}
+
+void check_sweep(double wanted, const Limit& sweep, double speed_ratio) {
+  constexpr double rounding = 1 + 1e-9;
+  if (wanted <= rounding * sweep.step) return;
+  std::ostringstream what;
+  what << "the step in which no wall moves by more than " << speed_ratio << " of the smallest radius (" << sweep.by
+       << ")";
+  refuse_step(wanted, what.str(), sweep.step, "");
+}
+
+/// Divides the window into steps of at most `wanted`.
+void divide(double window, double wanted, bool asked_for, StepChoice& choice) {
+  if (!(window / wanted <= 1e9)) {
+    std::ostringstream message;
+    message << "a coupling interval of " << window << " s has more than 1e9 steps of " << wanted << " s; "
+            << (asked_for ? "lengthen time.step or shorten coupling.interval" : "shorten coupling.interval");
+    throw BadInput(message.str());
   }
-  if (wanted > rounding * sweep.step) {
-    what << "the step in which no wall moves by more than " << speed_ratio << " of the smallest radius (" << sweep.by
-         << ")";
-    refuse_step(wanted, what.str(), sweep.step, "");
+  choice.steps_per_window = static_cast<int>(std::ceil(window / wanted * (1 - 1e-9)));
+  choice.dt = window / choice.steps_per_window;
+}
+
+/// Of the undamped stability limit of contacts, that may be held.
+constexpr double held_share = 0.5;
+
+[[noreturn]] void refuse_hold(double wanted, double limit, const std::string& instead) {
+  std::ostringstream message;
+  message << "contact and wall forces would be held for " << wanted << " s; at most half their stability limit of "
+          << limit << " s is possible, " << instead;
+  throw BadHold(message.str());
+}
+
+void check_hold(const StepChoice& choice, int substeps) {
+  const double maximum = held_share * choice.contact_limit;
+  if (substeps == 1 || choice.dt <= maximum) return;
+  std::ostringstream instead;
+  instead << "which is " << std::max(1, static_cast<int>(maximum / choice.bond_step)) << " sub-steps of "
+          << choice.bond_step << " s";
+  refuse_hold(choice.dt, choice.contact_limit, instead.str());
+}
+
+/// All rocks have the same sub-steps.
+void choose_uniform(const Setup& setup, const StepRequest& request, const RockLimits& rocks, Limit sweep,
+                    StepChoice& choice) {
+  const int substeps = request.rates.substeps;
+  Limit stable = rocks.loose(true);
+  for (const RockLimits::Rock& rock : rocks.bonded()) stable.consider(rocks.of(rock, true));
+  sweep.step /= substeps;
+  const bool swept = sweep.step < request.safety * stable.step;
+  choice.limit = swept ? sweep.step : stable.step;
+  choice.limited_by = swept ? sweep.by : stable.by;
+  double wanted = std::min({request.safety * stable.step, sweep.step, request.window});
+  if (request.step) {
+    wanted = *request.step;
+    check_step(wanted, stable, request.safety);
+    check_sweep(wanted, sweep, setup.scene.limits.speed_ratio);
   }
+  divide(request.window, wanted * substeps, request.step.has_value(), choice);
+  choice.fewest_substeps = choice.most_substeps = substeps;
+  choice.bond_step = choice.dt / substeps;
+  check_hold(choice, substeps);
+  choice.of_library.assign(setup.library.rocks.size(), substeps);
+  choice.of_start.assign(setup.start.size(), substeps);
+}
+
+/// The longest step of the scene that contacts and walls allow, or the one that is asked for.
+void choose_hold(const Setup& setup, const StepRequest& request, const Limit& undamped, const Limit& sweep,
+                 StepChoice& choice) {
+  const double allowed = held_share * undamped.step;
+  double hold = std::min({allowed, sweep.step, request.window});
+  choice.hold_limited_by = hold == allowed ? undamped.by : hold == sweep.step ? sweep.by : "the coupling interval";
+  if (request.rates.kind == Rates::Kind::given) {
+    constexpr double rounding = 1 + 1e-9;
+    hold = request.rates.hold;
+    choice.hold_limited_by = "numerics.hold";
+    if (hold > rounding * allowed) {
+      std::ostringstream instead;
+      instead << "which is " << allowed << " s (" << undamped.by << ")";
+      refuse_hold(hold, undamped.step, instead.str());
+    }
+    check_sweep(hold, sweep, setup.scene.limits.speed_ratio);
+  }
+  divide(request.window, hold, request.step.has_value(), choice);
+}
+
+/// Each rock has the sub-steps that its bonds need. One without any feels contacts and bonds in the same step, and must
+/// be stable with both.
+void choose_substeps(const Setup& setup, const StepRequest& request, const RockLimits& rocks, StepChoice& choice) {
+  choice.of_library.assign(setup.library.rocks.size(), 1);
+  choice.of_start.assign(setup.start.size(), 1);
+  const std::vector<RockLimits::Rock> bonded = rocks.bonded();
+  choice.fewest_substeps = bonded.empty() ? 1 : std::numeric_limits<int>::max();
+  Limit stiffest;
+  for (const RockLimits::Rock& rock : bonded) {
+    const Limit alone = rocks.of(rock, false);
+    stiffest.consider(alone);
+    if (request.step) check_step(*request.step, alone, request.safety);
+    const double step = std::min(request.safety * alone.step, request.step.value_or(1e300));
+    int substeps = std::max(1, static_cast<int>(std::ceil(choice.dt / step * (1 - 1e-9))));
+    if (substeps == 1 && choice.dt > request.safety * rocks.of(rock, true).step) substeps = 2;
+    (choice.*rock.place)[rock.k] = substeps;
+    choice.fewest_substeps = std::min(choice.fewest_substeps, substeps);
+    choice.most_substeps = std::max(choice.most_substeps, substeps);
+  }
+  choice.bond_step = choice.dt / choice.most_substeps;
+  choice.limit = std::isfinite(stiffest.step) ? stiffest.step : choice.contact_limit;
+  choice.limited_by = std::isfinite(stiffest.step) ? stiffest.by : choice.hold_limited_by;
 }
 
 }  // namespace
@@ -130,55 +270,33 @@ double smallest_radius(const RockLibrary& library, std::span<const NewRock> star
 }
 
 StepChoice choose_step(const Setup& setup, const StepRequest& request) {
-  const Scene& scene = setup.scene;
-  check_scene(scene);
-  const Limits limits = stability_limits(scene, setup.library, setup.start);
-  const Limit& stable = limits.minimum;
-  const int hold = scene.substeps;
-  Limit sweep = sweep_limit(scene, smallest_radius(setup.library, setup.start));
-  sweep.step /= hold;  // contacts are evaluated once per hold
+  check_scene(setup.scene);
+  const RockLimits rocks(setup);
+  const Limit sweep = sweep_limit(setup.scene, smallest_radius(setup.library, setup.start));
+  const Limit undamped = rocks.loose(false);
   StepChoice choice;
-  const bool swept = sweep.step < request.safety * stable.step;
-  choice.limit = swept ? sweep.step : stable.step;
-  choice.limited_by = swept ? sweep.by : stable.by;
-  choice.contact_limit = limits.contacts;
-  double wanted = std::min({request.safety * stable.step, sweep.step, request.window});
-  if (request.step) {
-    wanted = *request.step;
-    check_step(wanted, stable, request.safety, sweep, scene.limits.speed_ratio);
+  choice.contact_limit = undamped.step;
+  if (request.rates.kind == Rates::Kind::uniform) {
+    choose_uniform(setup, request, rocks, sweep, choice);
+  } else {
+    choose_hold(setup, request, undamped, sweep, choice);
+    choose_substeps(setup, request, rocks, choice);
   }
-  if (!(request.window / wanted <= 1e9)) {
-    std::ostringstream message;
-    message << "a coupling interval of " << request.window << " s has more than 1e9 steps of " << wanted << " s; "
-            << (request.step ? "lengthen time.step or shorten coupling.interval" : "shorten coupling.interval");
-    throw BadInput(message.str());
-  }
-  choice.steps_per_window = hold * static_cast<int>(std::ceil(request.window / wanted / hold * (1 - 1e-9)));
-  choice.dt = request.window / choice.steps_per_window;
   return choice;
-}
-
-void check_hold(const StepChoice& choice, int substeps) {
-  constexpr double share = 0.5;
-  const double held = substeps * choice.dt, maximum = share * choice.contact_limit;
-  if (substeps == 1 || held <= maximum) return;
-  std::ostringstream message;
-  message << substeps << " sub-steps would hold contact forces for " << held
-          << " s; at most half their stability limit of " << choice.contact_limit << " s is possible, which is "
-          << std::max(1, static_cast<int>(maximum / choice.dt)) << " sub-steps of " << choice.dt << " s";
-  throw BadInput(message.str());
 }
 
 StepChoice set_step(Setup& setup, const StepRequest& request) {
   const StepChoice choice = choose_step(setup, request);
-  check_hold(choice, setup.scene.substeps);
   set_step(setup, choice);
   return choice;
 }
 
 void set_step(Setup& setup, const StepChoice& choice) {
   setup.scene.dt = choice.dt;
+  setup.scene.substeps = choice.most_substeps;
   setup.steps_per_window = choice.steps_per_window;
+  for (std::size_t k = 0; k < choice.of_library.size(); ++k) setup.library.rocks[k].substeps = choice.of_library[k];
+  for (std::size_t k = 0; k < choice.of_start.size(); ++k) setup.start[k].substeps = choice.of_start[k];
 }
 
 }  // namespace gyro

@@ -136,6 +136,7 @@ NewRock Feed::instance(Index kind, const RockPose& pose, Bed& bed) {
     made.bonds.push_back({b.i, b.j, b.length, b.radius, strength_ ? strength_(made.id, i, j) : 1.0});
   }
   made.colour_begin = rock.colour_begin;
+  made.substeps = rock.substeps;
   ++state_.of_template[static_cast<std::size_t>(kind)];
   ++state_.rocks;
   state_.particles += static_cast<std::int64_t>(rock.centres.size());

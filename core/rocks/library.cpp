@@ -111,6 +111,7 @@ RockTemplate make_rock(const LibraryRecipe& recipe, const NamedMould& source, do
   rock.colour_begin = colour_bonds(rock.bonds, static_cast<Index>(rock.centres.size()));
   measure(rock, mould.shape, recipe.rock_density);
   rock.critical_step = critical_step(rock, recipe.bond_parameters, recipe.bed);
+  rock.bond_step = critical_step(rock, recipe.bond_parameters, BedContacts{});
   return rock;
 }
 

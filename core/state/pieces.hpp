@@ -52,7 +52,7 @@ inline Pieces make_pieces(const std::vector<Block>& blocks, Index particles) {
   pieces_detail::Run run{0, 0, 1};  // not added yet
   const auto extend = [&](Index end, std::int32_t substeps) {
     if (end > run.end && substeps != run.substeps) {
-      add_pieces(pieces.together, run);
+      pieces_detail::add_pieces(pieces.together, run);
       run = {run.end, run.end, substeps};
     }
     run.end = std::max(run.end, end);
@@ -65,17 +65,17 @@ inline Pieces make_pieces(const std::vector<Block>& blocks, Index particles) {
       extend(b.end_particle, b.substeps);
       continue;
     }
-    add_pieces(pieces.together, run);
+    pieces_detail::add_pieces(pieces.together, run);
     if (b.end_bond - b.first_bond < large_rock) {
       pieces.together.push_back({b.first_particle, b.end_particle, static_cast<Index>(k), b.substeps});
     } else {
-      add_pieces(pieces.large_rows, {b.first_particle, b.end_particle, b.substeps});
+      pieces_detail::add_pieces(pieces.large_rows, {b.first_particle, b.end_particle, b.substeps});
       pieces.large.push_back(static_cast<Index>(k));
     }
     run = {b.end_particle, b.end_particle, 1};
   }
   extend(particles, 1);
-  add_pieces(pieces.together, run);
+  pieces_detail::add_pieces(pieces.together, run);
   return pieces;
 }
 

@@ -21,6 +21,15 @@ std::optional<double> number_if(const Setting& section, std::string_view path) {
   return setting == nullptr || setting->numbers.empty() ? std::nullopt : std::optional<double>(setting->numbers[0]);
 }
 
+CaseNumerics numerics_of(const Setting& root) {
+  CaseNumerics numerics;
+  numerics.precision = root.text("numerics.precision") == "double" ? Precision::double_ : Precision::mixed;
+  numerics.substeps = static_cast<int>(root.number("numerics.substeps"));
+  numerics.hold = number_if(root, "numerics.hold");
+  if (!numerics.hold && root.text("numerics.hold") == "auto") numerics.hold = 0;
+  return numerics;
+}
+
 template <class Named>
 Index index_of(const std::vector<Named>& things, std::string_view name) {
   const auto found = std::find_if(things.begin(), things.end(), [&](const Named& thing) { return thing.name == name; });
@@ -266,8 +275,7 @@ Case build_case(const Setting& root, const CaseTables& tables) {
   if (made.drivetrain) made.drivetrain->residual_limit = root.number("coupling.residual_limit");
   if (made.drivetrain_fmu) made.drivetrain_fmu->residual_limit = root.number("coupling.residual_limit");
   made.gravity = vector_of(*root.find("gravity"));
-  made.numerics = {root.text("numerics.precision") == "double" ? Precision::double_ : Precision::mixed,
-                   static_cast<int>(root.number("numerics.substeps"))};
+  made.numerics = numerics_of(root);
   if (const Setting* particles = root.find("particles")) made.particles = particles_of(*particles, tables);
   if (const Setting* laboratory = root.find("laboratory")) made.laboratory = laboratory_of(*laboratory, made.walls);
   made.output = output_of(*root.find("output"));

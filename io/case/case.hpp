@@ -113,7 +113,8 @@ struct CaseFmu : DriveFmu {
 /// `numerics`.
 struct CaseNumerics {
   Precision precision = Precision::mixed;
-  int substeps = 1;
+  int substeps = 1;                 ///< of all rocks, unless there is a hold
+  std::optional<double> hold = {};  ///< largest step of contacts [s]; 0: chosen by the program
 };
 
 /// `laboratory`: a test of one rock between two platens.

@@ -14,7 +14,7 @@
 namespace gyro {
 namespace {
 
-constexpr std::uint64_t format = 1;
+constexpr std::uint64_t format = 2;
 
 /// A number of a rock, which is written as an attribute of its group.
 struct Figure {
@@ -31,7 +31,8 @@ constexpr Figure figures[] = {{"diameter", &RockTemplate::diameter},
                               {"mass_error", &RockTemplate::mass_error},
                               {"inertia_error", &RockTemplate::inertia_error},
                               {"centre_error", &RockTemplate::centre_error},
-                              {"critical_step", &RockTemplate::critical_step}};
+                              {"critical_step", &RockTemplate::critical_step},
+                              {"bond_step", &RockTemplate::bond_step}};
 
 /// The group of each rock: its name, with a number appended if several rocks have the same name.
 std::vector<std::string> groups_of(const std::vector<std::string>& names) {

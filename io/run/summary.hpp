@@ -76,6 +76,7 @@ struct Summary {
   std::optional<std::int64_t> bond_steps = {};      ///< intact bonds, summed over sub-steps
   double time_step = 0;                             ///< [s]
   double time_step_limit = 0;                       ///< stability limit before the safety factor [s]
+  double hold = 0;                                  ///< from one evaluation of contact forces to the next [s]
   std::optional<std::int64_t> particles = {};       ///< in the scene at the end
   std::optional<std::int64_t> bonds_initial = {}, bonds_broken = {};
   std::optional<double> feed_mass = {}, discharged_mass = {};  ///< [kg]

@@ -178,8 +178,10 @@ std::string time_step_line(const Summary& s) {
   if (!(s.time_step > 0)) return {};
   // Without rock and bonds the step has no limit: it is infinite, or 0 after reading, because JSON has no infinity.
   const bool limited = s.time_step_limit > 0 && std::isfinite(s.time_step_limit);
-  return line("time step", format("%.4g us", s.time_step * 1e6) +
-                               (limited ? format(", limit %.4g us", s.time_step_limit * 1e6) : std::string()));
+  return line("time step",
+              format("%.4g us", s.time_step * 1e6) +
+                  (limited ? format(", limit %.4g us", s.time_step_limit * 1e6) : std::string()) +
+                  (s.hold > s.time_step ? format(", contacts held for %.4g us", s.hold * 1e6) : std::string()));
 }
 
 std::string device_line(const Summary& s) {

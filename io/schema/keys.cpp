@@ -239,9 +239,12 @@ const std::vector<Key> run_keys = {
     {.path = "numerics", .defaulted = true, .doc = "Numerical settings."},
     {.path = "numerics.precision", .type = word, .fallback = "mixed", .words = "mixed|double",
      .doc = "mixed: positions and velocities in double precision, laws in single precision; double: everything in double precision."},
+    {.path = "numerics.hold", .type = quantity, .dimension = Dimension::time, .fallback = "off", .range = positive, .words = "off|auto",
+     .doc = "Time for which contact and wall forces are kept constant while the bonds of each rock take as many steps as they need; "
+            "auto: the longest that is safe, at most half the undamped stability limit of contacts. off: as numerics.substeps says."},
     {.path = "numerics.substeps", .type = integer, .fallback = "1", .range = {.low = 1, .high = 16},
-     .doc = "Number of bond steps during which contact and wall forces are kept constant; this number times the time step must be "
-            "less than half the stability limit of contacts."},
+     .doc = "Without numerics.hold: number of bond steps, the same for all rocks, during which contact and wall forces are kept "
+            "constant; this number times the time step must be less than half the undamped stability limit of contacts."},
 
     {.path = "particles", .doc = "Start state from files, instead of a feed or in addition to it."},
     {.path = "particles.file", .type = file, .required = true,

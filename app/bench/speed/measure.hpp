@@ -27,7 +27,7 @@ struct SpeedRun {
 struct SpeedMeasurement {
   std::int64_t particles = 0, bonds = 0;  ///< bonds: intact at the end
   std::int64_t steps = 0;                 ///< timed
-  int substeps = 1;                       ///< steps for which contact and wall forces are held
+  int substeps = 1;                       ///< most of a rock in a step
   double time_step = 0;                   ///< [s]
   double wall_seconds = 0, cpu_seconds = 0;
   double setup_seconds = 0;                            ///< wall time from the case file to the first step

@@ -22,7 +22,7 @@ Rates rates_of(const SpeedResult& r) {
   const double seconds = r.seconds(m), steps = static_cast<double>(m.steps);
   return {.particles = r.particle_steps_per_second(m),
           .bonds = static_cast<double>(m.bond_steps) / seconds,
-          .contacts = static_cast<double>(m.contacts) * steps / m.substeps / seconds,
+          .contacts = static_cast<double>(m.contacts) * steps / seconds,
           .simulated = 3600 * m.time_step * steps / seconds,
           .bytes = static_cast<double>(m.bytes) / static_cast<double>(m.particles),
           .slowest = r.particle_steps_per_second(r.runs.back()),
