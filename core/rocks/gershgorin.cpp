@@ -34,8 +34,8 @@ struct Four {
   double normal, shear, twist, bending;
 };
 
-/// Adds the rows of a bond's end. With N = n n^T, P = 1 - N and X = [n]x, forces per shift are S = k_n N + k_s P, moments
-/// per turn B = k_t N + k_b P, and a turn of an end shifts the bond's middle by arm X turn.
+/// Adds the rows of a bond's end. With N = n n^T, P = 1 - N and X = [n]x, forces per shift are S = k_n N + k_s P,
+/// moments per turn B = k_t N + k_b P, and a turn of an end shifts the bond's middle by arm X turn.
 void add(Rows& rows, const Vec3d& direction, const Four& k, const End& own, const End& other) {
   const Eigen::Vector3d n(direction.x, direction.y, direction.z);
   const Matrix3d along = n * n.transpose(), across = Matrix3d::Identity() - along;
@@ -44,8 +44,8 @@ void add(Rows& rows, const Vec3d& direction, const Four& k, const End& own, cons
   const Matrix3d forces = k.normal * along + k.shear * across, moments = k.twist * along + k.bending * across;
   const auto block = [&](const End& column, double same) -> Block {  // same: +1 on the diagonal, -1 beside it
     Block b;
-    b << same * forces, own.sign * column.arm * k.shear * crossed,
-        -column.sign * own.arm * k.shear * crossed, own.arm * column.arm * k.shear * across + same * moments;
+    b << same * forces, own.sign * column.arm * k.shear * crossed, -column.sign * own.arm * k.shear * crossed,
+        own.arm * column.arm * k.shear * across + same * moments;
     return own.scale.asDiagonal() * b * column.scale.asDiagonal();
   };
   rows.own += block(own, 1);
@@ -58,7 +58,8 @@ struct BondsOfParticles {
   explicit BondsOfParticles(const RockTemplate& rock);
 };
 
-BondsOfParticles::BondsOfParticles(const RockTemplate& rock) : begin(rock.radii.size() + 1), list(2 * rock.bonds.size()) {
+BondsOfParticles::BondsOfParticles(const RockTemplate& rock)
+    : begin(rock.radii.size() + 1), list(2 * rock.bonds.size()) {
   for (const TemplateBond& b : rock.bonds) ++begin[b.i], ++begin[b.j];
   Index sum = 0;
   for (Index& count : begin) count = (sum += count);  // the end of each; filling moves it to the beginning

@@ -12,11 +12,15 @@ namespace gyro {
 /// A rock linearised at rest and scaled to unit masses, as an operator that is computed from the bonds whenever it is
 /// applied. A vector has six values of each particle: x, y, z, then the rotations about them.
 ///
-///   A(dt) = dt^2 K + 2 dt C + min(2 dt c, 2 beta)      K, C of unit masses; c the bed's damping of each value, beta its
+///   A(dt) = dt^2 K + 2 dt C + min(2 dt c, 2 beta)      K, C of unit masses; c the bed's damping of each value, beta
+///   its
 ///                                                      cap
 ///
-/// Its largest eigenvalue grows with dt, and is 4 at the largest stable step. The matrices (linear_rock.hpp) would need
-/// ten times the memory of the rock. This needs 32 bytes a bond and 32 a particle.
+/// Its largest eigenvalue grows with dt, and is 4 at the largest stable step.
+///
+/// Four factors of each bond are kept, 32 bytes; normal and arms are computed again from the centres. With five vectors
+/// a rock of 20,000 particles and 61,600 bonds takes 367 bytes a particle. If normals and arms were kept too: 491 bytes
+/// in 0.78 of the time; if the factors were computed again too: 268 bytes in 1.34 of the time.
 class RockOperator {
  public:
   /// Keeps a reference to the rock.

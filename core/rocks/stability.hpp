@@ -21,8 +21,12 @@ struct BedContacts {
 };
 
 /// Largest stable step [s] of the leapfrog map v += dt M^-1 (-K x - C v), x += dt v of the rock, linearised
-/// at rest, with all bonds intact: the smallest dt at which 4 M - 2 dt C - dt^2 K is singular. Lanczos
-/// iteration on M^-1 (dt^2 K + 2 dt C), 6 degrees of freedom a particle, to a relative 1e-4.
+/// at rest, with all bonds intact: the smallest dt at which 4 M - 2 dt C - dt^2 K is singular. The largest mode of
+/// M^-1 (dt^2 K + 2 dt C), 6 degrees of freedom a particle, is iterated to a residual of 1e-5, without matrices. The
+/// error of the step is below 1e-4, and mostly below 1e-7. Iterated from one random vector, the mode could be one beside
+/// the largest; with 120 rocks in two beds, compared with a dense solver, it never was.
+///
+/// The bed's part of 2 dt C, 2 dt c/m of each degree of freedom, is min(2 dt c/m, 2 damping_cap).
 ///
 /// Bed contacts are assumed isotropic, and the other end of each moves in counterphase, which is an upper bound for any
 /// arrangement of contacts: diagonal 2 number (S_n + 2 S_t)/3 for translations and 2 number (2/3) S_t R^2 for
@@ -33,7 +37,7 @@ double critical_step(const RockTemplate& rock, const BondParameters& bonds, cons
 /// The same for a single loose particle [s]. @param radius [m] @param density [kg/m3]
 double loose_critical_step(double radius, double density, const BedContacts& bed);
 
-/// Lower bound on critical_step [s] from Gershgorin's row sums: one pass over the bonds, no iteration.
+/// Lower bound on critical_step [s] from Gershgorin's row sums: one pass over the bonds of each particle, no iteration.
 double gershgorin_step(const RockTemplate& rock, const BondParameters& bonds, const BedContacts& bed);
 
 }  // namespace gyro
