@@ -62,7 +62,8 @@ class Arrivals {
     for (const NewParticle& p : rock.particles) add_particle(p, block, substeps);
     if (!is_rock) return;
     const Index end = first + size_of(rock.particles);
-    Block b{first, end, bond_count(), 0, colour_count(), 0, rock.id, rock.bonds.empty() ? block_broken : block_intact, substeps};
+    Block b{first,   end, bond_count(), 0, colour_count(), 0, rock.id, rock.bonds.empty() ? block_broken : block_intact,
+            substeps};
     if (present_.with_bonds) add_bonds(rock, first, substeps);
     b.end_bond = bond_count();
     b.end_colour = colour_count();
@@ -74,8 +75,8 @@ class Arrivals {
   const std::vector<Block>& blocks() const { return blocks_; }
   const std::vector<Index>& colour_begin() const { return colour_begin_; }
   std::int64_t bonds_intact() const { return bonds_intact_; }
-  std::int64_t bonds_in_step() const { return bonds_in_step_; }  ///< as in Counts
-  double exchanged() const { return exchanged_; }  ///< EnergyTerms::exchanged with the new rock [J]
+  std::int64_t bonds_in_step() const { return bonds_in_step_; }  ///< as Monitor::bonds_in_step()
+  double exchanged() const { return exchanged_; }                ///< EnergyTerms::exchanged with the new rock [J]
 
  private:
   template <class T>

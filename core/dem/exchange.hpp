@@ -16,7 +16,7 @@ void DemSolver<Exec, Real>::insert(std::span<const NewRock> rocks) {
   lists_.extend(rock_.count());
   energies.exchanged = arrivals.exchanged();
   monitor_.counts().bonds_intact += arrivals.bonds_intact();
-  monitor_.counts().bonds_in_step += arrivals.bonds_in_step();
+  monitor_.add_bonds_in_step(arrivals.bonds_in_step());
   monitor_.reserve_events(rock_.bond_count());
 }
 
@@ -34,7 +34,7 @@ void DemSolver<Exec, Real>::remove(std::span<const ParticleId> ids) {
 
   const BondSums bonds_after = sums().bonds();
   monitor_.counts().bonds_intact -= bonds_before.intact - bonds_after.intact;
-  monitor_.counts().bonds_in_step -= bonds_before.in_step - bonds_after.in_step;
+  monitor_.add_bonds_in_step(bonds_after.in_step - bonds_before.in_step);
   const EnergyTerms after = energy();
   const auto state = [](const EnergyTerms& e) { return e.kinetic + e.potential + e.contact_elastic + e.bond_elastic; };
   monitor_.energies().exchanged -= state(before) - state(after);

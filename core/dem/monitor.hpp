@@ -106,16 +106,21 @@ class Monitor {
   /// All but the number of particles, which is that of the store.
   Counts& counts() { return counts_; }
   const Counts& counts() const { return counts_; }
+  /// Intact bonds, each as often as its rock has sub-steps.
+  std::int64_t bonds_in_step() const { return bonds_in_step_; }
+  void add_bonds_in_step(std::int64_t more) { bonds_in_step_ += more; }
 
   void save(SavedState& to) const {
     to.put_one("dem/energies", energies_);
     to.put_one("dem/counts", counts_);
+    to.put_one("dem/bonds_in_step", bonds_in_step_);
     to.put("dem/breakages", breakages_);
   }
   /// @throws BadInput as SavedState::get
   void restore(const SavedState& from) {
     energies_ = from.get_one<EnergyTerms>("dem/energies");
     counts_ = from.get_one<Counts>("dem/counts");
+    bonds_in_step_ = from.get_one<std::int64_t>("dem/bonds_in_step");
     breakages_ = from.get<Breakage>("dem/breakages");
     first_excess_.reset();
     lower_all();
@@ -144,7 +149,7 @@ class Monitor {
       const Block& own = blocks[static_cast<std::size_t>(block[i])];
       const double steps = static_cast<double>(e.step) + (e.substep + 1.0) / own.substeps;
       failed.push_back({steps * dt, static_cast<BreakMode>(e.mode), middle, own.rock, id[i], id[j], e.energy});
-      counts_.bonds_in_step -= own.substeps;
+      bonds_in_step_ -= own.substeps;
     }
     std::sort(failed.begin(), failed.end(), [](const Breakage& a, const Breakage& b) {
       return std::tie(a.time, a.i, a.j) < std::tie(b.time, b.i, b.j);
@@ -158,6 +163,7 @@ class Monitor {
   std::vector<Breakage> breakages_;  ///< since they were last taken
   EnergyTerms energies_;
   Counts counts_;
+  std::int64_t bonds_in_step_ = 0;
 };
 
 }  // namespace gyro

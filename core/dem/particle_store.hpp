@@ -57,7 +57,8 @@ class ParticleStore {
   }
   /// A rock whose bonds all threads share, with the begins of its colours and its particles in pieces without bonds.
   struct LargeRock {
-    Piece whole;
+    Index block;
+    std::int32_t substeps;
     std::vector<Index> colour_begin;
     Index first_row, rows;  ///< pieces, in large_rows()
   };
@@ -148,10 +149,8 @@ class ParticleStore {
     for (const Index block : pieces.large) {
       const Block& b = blocks[static_cast<std::size_t>(block)];
       const Index rows = (b.end_particle - b.first_particle + run_length - 1) / run_length;
-      large_rocks_.push_back({{b.first_particle, b.end_particle, block, b.substeps},
-                              {colours.begin() + b.first_colour, colours.begin() + b.end_colour},
-                              first_row,
-                              rows});
+      large_rocks_.push_back(
+          {block, b.substeps, {colours.begin() + b.first_colour, colours.begin() + b.end_colour}, first_row, rows});
       first_row += rows;
     }
     most_substeps_ = pieces.most_substeps;

@@ -31,8 +31,8 @@ struct SceneSums {
   BondSums bonds() const {
     if (!rock.has_bonds()) return {};
     return exec.template reduce<BondSums>(
-        "sum bonds", rock.bond_count(), SumBonds<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model(),
-                                             rock.blocks().data()});
+        "sum bonds", rock.bond_count(),
+        SumBonds<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model(), rock.blocks().data()});
   }
 
   /// @param booked  energies of what has left, of events and of walls

@@ -77,11 +77,11 @@ template <class Exec, class Real>
 template <class Large, class Kernel>
 void DemSolver<Exec, Real>::advance_large_rock(const Large& rock, Kernel kernel) {
   kernel.pieces = rock_.large_rows() + rock.first_row;
-  for (int pass = 0; pass < kernel.all_passes(rock.whole.substeps); ++pass) {
+  for (int pass = 0; pass < kernel.all_passes(rock.substeps); ++pass) {
     kernel.only_pass = pass;
     exec_.for_each_block("advance rocks", BlockLaunch{rock.rows, run_length}, kernel);
     exec_.for_each_colour("bonds of large rocks", rock.colour_begin,
-                          LargeRockBonds{kernel.bonds, kernel.when(rock.whole, pass)});
+                          LargeRockBonds{kernel.bonds, kernel.when(rock.block, pass, scene_.dt / rock.substeps)});
   }
 }
 
@@ -184,7 +184,7 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
   accounts_.carry_over(exec_, entries, where_rock_is(), walls_.poses());
   Counts& counts = monitor_.counts();
   counts.particle_steps += std::int64_t{rock_.count()} * window.steps;
-  counts.bond_steps += counts.bonds_in_step * window.steps;
+  counts.bond_steps += monitor_.bonds_in_step() * window.steps;
   monitor_.collect_breakages(rock_, window.dt);
   if (monitor_.raised().limit_exceeded) keep_excess(), monitor_.lower_limit_flag();
 }

@@ -25,13 +25,11 @@ class WallMotion {
   void plan(const std::vector<Wall>& walls, const Window& window, const MantlePath& path) {
     const std::size_t count = walls.size();
     const auto pose_after = [&](int k, std::size_t w) {
-      return pose_of(walls[w], static_cast<double>(window.first_step + k) * window.dt,
-                     mantle_at(path, k * window.dt));
+      return pose_of(walls[w], static_cast<double>(window.first_step + k) * window.dt, mantle_at(path, k * window.dt));
     };
     table_.resize(count * static_cast<std::size_t>(window.steps + 1));
     for (int k = 0; k <= window.steps; ++k)
-      for (std::size_t w = 0; w < count; ++w)
-        table_[static_cast<std::size_t>(k) * count + w] = pose_after(k, w);
+      for (std::size_t w = 0; w < count; ++w) table_[static_cast<std::size_t>(k) * count + w] = pose_after(k, w);
     find_fastest(walls, window.dt);
     Exec::upload(device_table_, table_);
     go_to_step(0);
@@ -66,9 +64,7 @@ class WallMotion {
     return false;
   }
 
-  void save(SavedState& to) const {
-    to.put("walls/pose", poses_now_);
-  }
+  void save(SavedState& to) const { to.put("walls/pose", poses_now_); }
   /// @throws BadInput as SavedState::get
   void restore(const SavedState& from) {
     const auto walls = static_cast<std::size_t>(surfaces_.count());

@@ -130,7 +130,7 @@ struct SumContacts {
 /// Elastic energy and count of the bonds, and the largest rotation of the ends of an intact one.
 struct BondSums {
   double elastic = 0;
-  std::int64_t intact = 0, in_step = 0;  ///< as Counts::bonds_in_step
+  std::int64_t intact = 0, in_step = 0;  ///< in_step counts each as often as its rock has sub-steps
   double rotation = 0;
   ParticleId twisted = 0;
   GYRO_HD friend BondSums operator+(const BondSums& a, const BondSums& b) {
@@ -153,7 +153,8 @@ struct SumBonds {
     if (b.state[n] != bond_intact) bond.carry_axes(OneLane{n}, p, b, b.state[n], 0);
     const double elastic = static_cast<double>(bond_load(model, law, bond, b.state[n] != bond_intact).elastic);
     if (b.state[n] != bond_intact) return {elastic, 0, 0, 0, 0};
-    return {elastic, 1, blocks[p.block[b.i[n]]].substeps, ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
+    return {elastic, 1, blocks[p.block[b.i[n]]].substeps,
+            ::sqrt(bond.strain.twist * bond.strain.twist + norm2(bond.strain.bend)), p.id[b.i[n]]};
   }
 };
 

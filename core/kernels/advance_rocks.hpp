@@ -38,7 +38,8 @@ struct AdvanceRocks {
   BondForces<Real, Law> bonds;
   Motions first;       ///< in the first pass; later ones are move_held
   std::int64_t step;   ///< steps of the scene before that in which contact forces were evaluated last, or of the first
-  int first_substep;   ///< sub-step of the first pass, as in BreakEvent; from the number of sub-steps on of the next step
+  int first_substep;   ///< sub-step of the first pass, as in BreakEvent; from the number of sub-steps on of the next
+                       ///< step
   bool to_next;        ///< after move_on: through the first sub-step of the next step, or to the end of this one
   int only_pass = -1;  ///< >= 0: this pass alone
 
@@ -69,10 +70,11 @@ struct AdvanceRocks {
 
   template <class Lanes>
   GYRO_HD void operator()(const Lanes& lanes, Index k, int pass) const {
-    bonds(lanes, when(pieces[k], pass));
+    bonds(lanes, when(pieces[k].block, pass, gather.p.step[pieces[k].first_particle]));
   }
-  GYRO_HD BondStep when(const Piece& piece, int pass) const {
-    return {piece.block, step, first_substep + number_of(pass), gather.p.step[piece.first_particle]};
+  /// @param dt  of the block's particles [s]
+  GYRO_HD BondStep when(Index block, int pass, double dt) const {
+    return {block, step, first_substep + number_of(pass), dt};
   }
 
  private:

@@ -17,9 +17,9 @@ GYRO_HD inline void half_kick(double dt, const Load& load, Motion& motion, Angul
 /// Until the second half of the kick, the velocities are those of mid-step: forces that depend on them see v(n+1/2).
 struct Move {
   ParticleView p;
-  double dt;                ///< step of the scene, from one evaluation of contacts to the next [s]
-  double allowed2;          ///< square of the distance a particle may move before lists are stale [m2]
-  std::int32_t* stale;      ///< set to 1 by any particle that moved further
+  double dt;            ///< step of the scene, from one evaluation of contacts to the next [s]
+  double allowed2;      ///< square of the distance a particle may move before lists are stale [m2]
+  std::int32_t* stale;  ///< set to 1 by any particle that moved further
   bool with_orientation;
   StepLimits limits;
   std::int32_t* limit_exceeded;  ///< set to 1 by any particle beyond them
@@ -39,8 +39,7 @@ struct Move {
     // Lists must hold for the positions that contacts see.
     if (norm2(sphere.x + time_to_middle(dt, step) * motion.v - p.listed_position[n]) > allowed2) raise_flag(stale);
     const double allowed = limits.speed_ratio * sphere.radius;
-    if (dt * dt * norm2(motion.v) > allowed * allowed ||
-        dt * dt * norm2(angular.w) > limits.rotation * limits.rotation)
+    if (dt * dt * norm2(motion.v) > allowed * allowed || dt * dt * norm2(angular.w) > limits.rotation * limits.rotation)
       raise_flag(limit_exceeded);
   }
 };

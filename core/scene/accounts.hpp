@@ -108,7 +108,6 @@ struct Extremes {
 struct Counts {
   std::int64_t particles = 0, bonds_intact = 0, broken_tension = 0, broken_shear = 0;
   std::int64_t particle_steps = 0, bond_steps = 0, rebuilds = 0;
-  std::int64_t bonds_in_step = 0;  ///< intact bonds, each as often as its rock has sub-steps
 
   template <class F, class... C>
   static constexpr void for_each_field(F&& f, C&... c) {
@@ -119,7 +118,6 @@ struct Counts {
     f("particle_steps", c.particle_steps...);
     f("bond_steps", c.bond_steps...);
     f("rebuilds", c.rebuilds...);
-    f("bonds_in_step", c.bonds_in_step...);
   }
 };
 static_assert(declares_every_field<Counts>);

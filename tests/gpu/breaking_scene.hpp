@@ -34,7 +34,7 @@ inline Scene breaking_scene() {
   return scene;
 }
 
-/// Two lattices of 4 x 4 x 4 spheres and nine loose ones, ids from `first` on.
+/// Two lattices of 4 x 4 x 4 spheres, one with sub-steps, and nine loose ones, ids from `first` on.
 inline std::vector<NewRock> falling_rocks(RockId rock, ParticleId first, double height) {
   std::vector<NewRock> rocks;
   for (int k = 0; k < 2; ++k) {
@@ -42,6 +42,7 @@ inline std::vector<NewRock> falling_rocks(RockId rock, ParticleId first, double 
     for (NewParticle& p : r.particles)
       p.position = rotate(rotation_about({0.6, 0, 0.8}, 0.3 + k), p.position) + Vec3d{0.066 * k - 0.033, 0.004, height};
     add_rigid_motion(r, {0.5 - k, 0.2, -15}, {0, 0, 0});
+    if (k == 1) r.substeps = 2;
     rocks.push_back(r);
   }
   for (int k = 0; k < 9; ++k)

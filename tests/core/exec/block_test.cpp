@@ -27,7 +27,7 @@ struct MixItems {
 
   IndexRange rows(Index block) const { return (*block_rows)[static_cast<std::size_t>(block)]; }
   IndexRange items(Index block) const { return (*block_items)[static_cast<std::size_t>(block)]; }
-  int passes(Index block) const { return block % 2 == 0 ? most_passes : most_passes - 1; }
+  int passes(Index block) const { return block % 4 == 3 ? most_passes - 1 : most_passes; }
   void prepare(Index row, Index, int pass) const { row_values[row] = pass == 0 ? 1 : row_values[row] ^ 5; }
   void operator()(const FourItems& pack, Index block, int pass) const {
     const IndexRange own = rows(block);

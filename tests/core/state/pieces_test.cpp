@@ -6,8 +6,8 @@ using namespace gyro;
 
 namespace {
 
-Block block(Index first_particle, Index end_particle, Index bonds) {
-  return {first_particle, end_particle, 0, bonds, 0, 0, 0, block_intact};
+Block block(Index first_particle, Index end_particle, Index bonds, std::int32_t substeps = 1) {
+  return {first_particle, end_particle, 0, bonds, 0, 0, 0, block_intact, substeps};
 }
 
 /// Whether the pieces cover these particles once, in their order.
@@ -43,6 +43,22 @@ TEST_CASE("Pieces: the particles of a large rock are cut into runs, and its bond
   REQUIRE(pieces.together.size() == 2);
   CHECK(pieces.together[0].block == 0);
   CHECK(pieces.together[1].block == 2);
+}
+
+TEST_CASE("Pieces: all particles of a piece have the same sub-steps", "[state]") {
+  // A rock, two rocks that have lost their bonds, a loose particle, a rock.
+  const Pieces pieces =
+      make_pieces({block(0, 10, 8, 3), block(10, 14, 0, 2), block(14, 16, 0, 2), block(17, 20, 16, 2)}, 22);
+  REQUIRE(cover(pieces.together, 0, 22));
+  std::vector<Index> begins;
+  std::vector<std::int32_t> substeps;
+  for (const Piece& p : pieces.together) {
+    begins.push_back(p.first_particle);
+    substeps.push_back(p.substeps);
+  }
+  CHECK(begins == std::vector<Index>{0, 10, 16, 17, 20});
+  CHECK(substeps == std::vector<std::int32_t>{3, 2, 1, 2, 1});
+  CHECK(pieces.most_substeps == 3);
 }
 
 TEST_CASE("Pieces of an empty scene, and of one without rocks", "[state]") {
