@@ -35,6 +35,13 @@ KnobSetting substeps_within(int k) {
   return {.knob = "substeps_within", .value = std::to_string(k), .overrides = {safety(default_safety / k)}, .hold = k};
 }
 
+/// Contacts at this share of their undamped limit, each rock with the sub-steps that its bonds need.
+KnobSetting hold(double share) {
+  KnobSetting setting{.knob = "hold", .value = text_of(share), .overrides = {}};
+  setting.hold_share = share;
+  return setting;
+}
+
 KnobSetting window(double milliseconds) {
   return {.knob = "window",
           .value = text_of(milliseconds * 1e-3),
@@ -55,6 +62,7 @@ KnobSetting reference(double divisor) {
 
 std::vector<std::string> as_overrides(const KnobSetting& setting) {
   std::vector<std::string> all = setting.overrides;
+  if (setting.hold_share > 0) all.push_back("numerics.hold=auto");
   if (setting.hold > 1) all.push_back("numerics.substeps=" + std::to_string(setting.hold));
   return all;
 }
@@ -64,10 +72,11 @@ KnobSetting default_setting() {
 }
 
 std::vector<KnobSetting> settings_of(const AccuracyScene& scene, bool quick) {
-  if (quick) return {default_setting(), step(default_safety / 2), substeps(2), margin(0.2)};
+  if (quick) return {default_setting(), step(default_safety / 2), substeps(2), hold(0.5), margin(0.2)};
   std::vector<KnobSetting> all{default_setting(), step(0.9), step(0.35), step(0.175)};
   all.push_back({.knob = "precision", .value = "double", .overrides = {"numerics.precision=double"}});
   for (const int k : {2, 4, 8}) all.push_back(substeps(k));
+  for (const double share : {0.125, 0.25, 0.5, 0.7, 0.9}) all.push_back(hold(share));
   if (scene.name == "platen") {
     for (const double share : {0.35, 0.175}) all.push_back(step_in_double(share));
     for (const int k : {2, 4}) all.push_back(substeps_within(k));

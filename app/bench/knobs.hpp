@@ -14,6 +14,7 @@ struct KnobSetting {
   std::string value;                   ///< a number, or a word such as `double`
   std::vector<std::string> overrides;  ///< of the case, as in --set
   int hold = 1;                 ///< numerics.substeps, set after the check of the case, so that its limit can be tested
+  double hold_share = 0;        ///< Rates::share with numerics.hold=auto, set after the check as well; 0: no hold
   double margin = 0;            ///< of neighbour lists / smallest radius; 0: the program's choice
   bool exact = false;           ///< must change no bit: compared with the default setting instead of the reference
   bool to_first_break = false;  ///< the run ends with the window in which the first bond breaks

@@ -46,8 +46,13 @@ void apply(const KnobSetting& setting, double window, Assembly& assembly) {
   Setup& setup = assembly.setup;
   setup.inspection_interval = 0;  // no particle is removed
   if (setting.margin > 0) setup.scene.neighbour_skin = setting.margin * smallest_radius(setup);
-  if (setting.hold == 1) return;
   StepChoice& step = assembly.step;
+  if (setting.hold_share > 0) {
+    StepRequest request{.window = window};
+    request.rates = {.kind = Rates::Kind::automatic, .share = setting.hold_share};
+    step = set_step(setup, request);
+  }
+  if (setting.hold == 1) return;
   step.steps_per_window = static_cast<int>(std::ceil(1.0 * step.steps_per_window / setting.hold));
   step.dt = window / step.steps_per_window;
   step.bond_step = step.dt / setting.hold;
@@ -129,6 +134,7 @@ MemberResult run_member(const Member& member) {
 }
 
 std::string refusal(const Member& member) {
+  if (member.setting.hold_share > Rates{}.share) return "contacts would be held for too long";
   try {
     assemble(load(member, as_overrides(member.setting)), {.threads = 1});
   } catch (const BadInput& problem) {

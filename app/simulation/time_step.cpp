@@ -171,9 +171,6 @@ void divide(double window, double wanted, bool asked_for, StepChoice& choice) {
   choice.dt = window / choice.steps_per_window;
 }
 
-/// Of the undamped stability limit of contacts, that may be held.
-constexpr double held_share = 0.5;
-
 [[noreturn]] void refuse_hold(double wanted, double limit, const std::string& instead) {
   std::ostringstream message;
   message << "contact and wall forces would be held for " << wanted << " s; at most half their stability limit of "
@@ -181,9 +178,9 @@ constexpr double held_share = 0.5;
   throw BadHold(message.str());
 }
 
-void check_hold(const StepChoice& choice, int substeps) {
-  const double maximum = held_share * choice.contact_limit;
-  if (substeps == 1 || choice.dt <= maximum) return;
+void check_hold(const StepChoice& choice, const Rates& rates) {
+  const double maximum = rates.share * choice.contact_limit;
+  if (rates.substeps == 1 || choice.dt <= maximum) return;
   std::ostringstream instead;
   instead << "which is " << std::max(1, static_cast<int>(maximum / choice.bond_step)) << " sub-steps of "
           << choice.bond_step << " s";
@@ -209,7 +206,7 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
   divide(request.window, wanted * substeps, request.step.has_value(), choice);
   choice.fewest_substeps = choice.most_substeps = substeps;
   choice.bond_step = choice.dt / substeps;
-  check_hold(choice, substeps);
+  check_hold(choice, request.rates);
   choice.of_library.assign(setup.library.rocks.size(), substeps);
   choice.of_start.assign(setup.start.size(), substeps);
 }
@@ -217,7 +214,7 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
 /// The longest step of the scene that contacts and walls allow, or the one that is asked for.
 void choose_hold(const Setup& setup, const StepRequest& request, const Limit& undamped, const Limit& sweep,
                  StepChoice& choice) {
-  const double allowed = held_share * undamped.step;
+  const double allowed = request.rates.share * undamped.step;
   double hold = std::min({allowed, sweep.step, request.window});
   choice.hold_limited_by = hold == allowed ? undamped.by : hold == sweep.step ? sweep.by : "the coupling interval";
   if (request.rates.kind == Rates::Kind::given) {

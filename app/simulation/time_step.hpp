@@ -19,8 +19,9 @@ struct Rates {
     given,      ///< the same, with a given step of the scene
   };
   Kind kind = Kind::uniform;
-  int substeps = 1;  ///< of uniform
-  double hold = 0;   ///< of given: largest step of the scene [s]
+  int substeps = 1;    ///< of uniform
+  double hold = 0;     ///< of given: largest step of the scene [s]
+  double share = 0.5;  ///< largest step of the scene / undamped stability limit of contacts, where rocks have sub-steps
 };
 
 /// What the time steps have to satisfy.
@@ -57,11 +58,11 @@ double smallest_radius(const RockLibrary& library, std::span<const NewRock> star
 ///
 /// Rates::uniform with k sub-steps: the step of bonds is `safety` times the smallest limit of all rocks of library and
 /// start, with their bonds and with what they touch, and of the smallest loose particle. That of the scene is k times
-/// as long, and at most half the undamped limit of contacts if k > 1.
+/// as long, and at most Rates::share of the undamped limit of contacts if k > 1.
 ///
-/// Rates::automatic: the step of the scene is half the undamped limit of the contacts of the smallest loose particle;
-/// a rock has as many sub-steps as `safety` times the limit of its bonds alone asks for. Half, because forces that are
-/// held act as a leapfrog of contacts with the longer step, and their dashpots are capped
+/// Rates::automatic: the step of the scene is Rates::share of the undamped limit of contacts of the smallest loose
+/// particle; a rock has as many sub-steps as `safety` times the limit of its bonds alone asks for. A half, because
+/// forces that are held act as a leapfrog of contacts with the longer step, and their dashpots are capped
 /// (core/laws/contact/dashpots.hpp).
 ///
 /// No wall of given motion may move by more than scene.limits.speed_ratio of the smallest radius in a step of the
