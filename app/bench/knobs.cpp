@@ -62,7 +62,6 @@ KnobSetting reference(double divisor) {
 
 std::vector<std::string> as_overrides(const KnobSetting& setting) {
   std::vector<std::string> all = setting.overrides;
-  if (setting.hold_share > 0) all.push_back("numerics.hold=auto");
   if (setting.hold > 1) all.push_back("numerics.substeps=" + std::to_string(setting.hold));
   return all;
 }

@@ -31,7 +31,7 @@ struct Contact {
 
   double speed_at(double depth) const {
     const ExtraHistory<double> fresh{};
-    return std::sqrt(2 * contact_energy(model, constants, radius, {{0, 0, 0}, depth, {0, 0, 0}}, &fresh) / mass);
+    return std::sqrt(2 * contact_energy(model, constants, radius, depth, {{0, 0, 0}, depth, {0, 0, 0}}, &fresh) / mass);
   }
   double speed() const { return speed_at(overlap); }
   /// By bisection: the speed rises with the overlap.

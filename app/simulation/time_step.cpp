@@ -273,7 +273,7 @@ StepChoice choose_step(const Setup& setup, const StepRequest& request) {
   const Limit undamped = rocks.loose(false);
   StepChoice choice;
   choice.contact_limit = undamped.step;
-  if (request.rates.kind == Rates::Kind::uniform) {
+  if (request.rates.kind == Rates::Kind::uniform || !setup.scene.bonds) {
     choose_uniform(setup, request, rocks, sweep, choice);
   } else {
     choose_hold(setup, request, undamped, sweep, choice);

@@ -26,7 +26,7 @@ struct SceneSums {
     return exec.template reduce<ContactSums>(
         "sum contacts", rock.count(),
         SumContacts<Real>{rock.read(), lists.pairs().read(), lists.walls().read(), walls, laws.rock(), laws.walls(),
-                          laws.rock_model(), laws.wall_model()});
+                          laws.rock_model(), laws.wall_model(), scene.dt});
   }
   BondSums bonds() const {
     if (!rock.has_bonds()) return {};

@@ -79,6 +79,9 @@ struct ContactSums {
 
 /// Contacts of a particle: with those of higher id and with walls. Summed by particle in the order of its rows,
 /// so that the sum does not depend on what else the lists hold.
+///
+/// Contacts whose forces are held were evaluated up to half a step of the scene ago. Their overlap is that of now, so
+/// that their energy belongs to the same time as all others.
 template <class Real>
 struct SumContacts {
   ConstParticleView p;
@@ -88,6 +91,7 @@ struct SumContacts {
   ContactConstants<Real> rock;            ///< of rock against rock
   const ContactConstants<Real>* on_wall;  ///< of rock against each wall
   ContactModel rock_model, wall_model;
+  double dt;  ///< step of the scene [s]
 
   GYRO_HD ContactSums operator()(Index n) const {
     const Sphere sphere = p.position[n];
@@ -105,9 +109,12 @@ struct SumContacts {
     const Pair pair = pairs.pair[n];
     const double a = p.position[pair.i].radius, b = p.position[pair.j].radius;
     const ContactHistory<Real> m = pairs.history[n];
+    Real overlap = m.overlap;
+    if (p.step[pair.i] < dt || p.step[pair.j] < dt)
+      overlap = static_cast<Real>(larger(a + b - norm(p.position[pair.j].x - p.position[pair.i].x), 0.0));
     const double ratio = static_cast<double>(m.overlap) / smaller(a, b);
     const ExtraHistory<Real>* extra = pairs.extra == nullptr ? nullptr : pairs.extra + n;
-    const Real energy = contact_energy(rock_model, rock, static_cast<Real>(a * b / (a + b)), m, extra);
+    const Real energy = contact_energy(rock_model, rock, static_cast<Real>(a * b / (a + b)), overlap, m, extra);
     return {static_cast<double>(energy), ratio, p.id[pair.i], p.id[pair.j], none};
   }
   GYRO_HD ContactSums of_wall(Index n, const Sphere& sphere) const {
@@ -117,9 +124,12 @@ struct SumContacts {
     ContactSums s;
     for (int k = 0; k < near.history[n].count; ++k) {
       const ContactHistory<Real> m = near.history[n].contact[k].history;
+      Real overlap = m.overlap;
       const double weight = k < touches.count ? touches.touch[k].weight : 0;
+      if (k < touches.count && p.step[entry.particle] < dt) overlap = static_cast<Real>(-touches.touch[k].gap);
       const ExtraHistory<Real>* extra = near.extra == nullptr ? nullptr : near.extra[n].contact + k;
-      const Real energy = contact_energy(wall_model, on_wall[entry.wall], static_cast<Real>(sphere.radius), m, extra);
+      const Real energy =
+          contact_energy(wall_model, on_wall[entry.wall], static_cast<Real>(sphere.radius), overlap, m, extra);
       s = s + ContactSums{weight * static_cast<double>(energy), static_cast<double>(m.overlap) / sphere.radius,
                           p.id[entry.particle], 0, entry.wall};
     }

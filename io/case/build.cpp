@@ -26,7 +26,7 @@ CaseNumerics numerics_of(const Setting& root) {
   numerics.precision = root.text("numerics.precision") == "double" ? Precision::double_ : Precision::mixed;
   numerics.substeps = static_cast<int>(root.number("numerics.substeps"));
   numerics.hold = number_if(root, "numerics.hold");
-  if (!numerics.hold && root.text("numerics.hold") == "auto") numerics.hold = 0;
+  if (!numerics.hold && root.text("numerics.hold") == "auto" && numerics.substeps == 1) numerics.hold = 0;
   return numerics;
 }
 

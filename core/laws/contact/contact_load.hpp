@@ -45,11 +45,12 @@ struct ContactLaw {
   }
 
   /// Elastic energy of a contact: of its normal, tangential and rolling springs [J].
+  /// @param overlap  of the normal spring [m]: that of the history or, where a force is held, of now
   template <class T>
-  GYRO_HD static T energy(const ContactConstants<T>& law, T radius, const ContactHistory<T>& h,
+  GYRO_HD static T energy(const ContactConstants<T>& law, T radius, T overlap, const ContactHistory<T>& h,
                           const ExtraHistory<T>& extra) {
     const T sliding = friction_energy(Normal::tangential_stiffness(law, radius, h.overlap), h.elastic);
-    const T energy = Normal::energy(law, radius, h.overlap, extra) + sliding;
+    const T energy = Normal::energy(law, radius, overlap, extra) + sliding;
     if constexpr (Rolling::has_spring)
       return energy + Rolling::energy(law, radius, Normal::stiffness(law, radius, h.overlap), extra);
     else

@@ -14,14 +14,14 @@ namespace contact_detail {
 template <class T>
 struct EnergyOf {
   const ContactConstants<T>& constants;
-  T radius;
+  T radius, overlap;
   const ContactHistory<T>& history;
   const ExtraHistory<T>* extra;
 
   template <class Law>
   GYRO_HD T operator()(Law) const {
-    if constexpr (Law::keeps_extra_history) return Law::energy(constants, radius, history, *extra);
-    return Law::energy(constants, radius, history, ExtraHistory<T>{});
+    if constexpr (Law::keeps_extra_history) return Law::energy(constants, radius, overlap, history, *extra);
+    return Law::energy(constants, radius, overlap, history, ExtraHistory<T>{});
   }
 };
 
@@ -66,12 +66,13 @@ inline bool keeps_extra_history(ContactModel model) {
 }
 
 /// Elastic energy of a contact under the law of a model [J].
-/// @param radius  R* [m]
-/// @param extra   not read unless the law keeps it
+/// @param radius   R* [m]
+/// @param overlap  as in ContactLaw::energy() [m]
+/// @param extra    not read unless the law keeps it
 template <class T>
-GYRO_HD T contact_energy(ContactModel model, const ContactConstants<T>& constants, T radius,
+GYRO_HD T contact_energy(ContactModel model, const ContactConstants<T>& constants, T radius, T overlap,
                          const ContactHistory<T>& history, const ExtraHistory<T>* extra) {
-  return with_contact_law(model, contact_detail::EnergyOf<T>{constants, radius, history, extra});
+  return with_contact_law(model, contact_detail::EnergyOf<T>{constants, radius, overlap, history, extra});
 }
 
 /// What the contact asks of the step.

@@ -42,7 +42,7 @@ struct Press {
       history = load.history;
     }
   }
-  double stored() const { return Law::energy(law, radius, history, extra); }
+  double stored() const { return Law::energy(law, radius, history.overlap, history, extra); }
 };
 
 /// Speed after over speed before an impact of the reduced mass, by velocity Verlet.

@@ -68,7 +68,7 @@ TEST_CASE("Work against the rolling spring is stored or lost", "[laws][contact]"
     roll.by(angle * limit / spring, 500);
     CHECK(roll.work == Approx(roll.stored() + roll.lost + roll.damped).epsilon(1e-9));
     CHECK(roll.smallest_loss > -1e-12 * roll.work);
-    const double energy = SpringLaw::energy(roll.law, radius, roll.history, roll.extra);
+    const double energy = SpringLaw::energy(roll.law, radius, roll.history.overlap, roll.history, roll.extra);
     CHECK(energy - Hertz::energy(roll.law, radius, overlap, roll.extra) == Approx(roll.stored()).epsilon(1e-6));
   }
 }
