@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/kernels/wall_touch.hpp"
 #include "core/laws/contact/contact.hpp"
 #include "core/scene/wall_motion.hpp"
 #include "core/state/particles.hpp"
-#include "core/state/walls.hpp"
 
 namespace gyro {
-
-/// Touches of a sphere with a wall of any kind. Body frame in, body frame out.
-GYRO_HD inline WallTouches touch_wall(const WallSurface& surface, const SegmentRange& range, const Vec3d& centre,
-                                      double radius) {
-  if (surface.kind == WallKind::plane) return touch_plane(surface.plane.point, surface.plane.normal, centre, radius);
-  if (surface.kind == WallKind::profile) return touch_profile(surface.profile, range, centre, radius);
-  return touch_mesh(surface.mesh, centre, radius);
-}
 
 /// What the contacts of one entry do to the wall.
 struct WallTotal {
@@ -72,8 +64,8 @@ struct WallForces {
     const WallEntry entry = near.entry[n];
     const Sphere sphere{contact_centre<held>(p, entry.particle, half_hold_offset), p.position[entry.particle].radius};
     const WallPose pose = walls.poses[entry.wall];
-    const WallTouches touches =
-        touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, sphere.x), sphere.radius);
+    const ListedTouches listed{near.clearance, near.triangle, near.triangle_gap};
+    const WallTouches touches = listed(n, entry, walls.surfaces[entry.wall], to_body(pose, sphere.x), sphere.radius);
     if (carry_over > 0) booking.carried_over[n] = WallSum{};
     if (touches.count == 0) {
       if (near.touching[n]) {
