@@ -160,16 +160,16 @@ void DemSolver<Exec, Real>::launch_contacts(double half_hold_offset, double carr
                                                       .deep = deep});
   });
   with_contact_law(laws_.wall_model(), [&]<class Law>(Law) {
-    exec_.for_each("wall forces", lists_.walls().count(),
-                   WallForces<Real, Law, held>{.p = rock_.read(),
-                                               .walls = walls_.now(),
-                                               .near = lists_.walls().view(),
-                                               .booking = accounts_.booking(),
-                                               .constants = laws_.walls(),
-                                               .dt = scene_.hold_time(),
-                                               .half_hold_offset = half_hold_offset,
-                                               .carry_over = carry_over,
-                                               .deep = deep});
+    exec_.for_each_picked("wall forces", lists_.walls().count(),
+                          WallForces<Real, Law, held>{.p = rock_.read(),
+                                                      .walls = walls_.now(),
+                                                      .near = lists_.walls().view(),
+                                                      .booking = accounts_.booking(),
+                                                      .constants = laws_.walls(),
+                                                      .dt = scene_.hold_time(),
+                                                      .half_hold_offset = half_hold_offset,
+                                                      .carry_over = carry_over,
+                                                      .deep = deep});
   });
 }
 

@@ -35,6 +35,7 @@ class WallList {
     exec.for_each("count walls", particles, find);
     const auto total = static_cast<std::size_t>(exec.exclusive_scan(particles, now_.row_begin.data()));
     now_.entry.resize(total);
+    now_.touch.resize(total);
     now_.history.resize(total);
     if (with_extra_) now_.extra.resize(total);
     now_.result.resize(total);

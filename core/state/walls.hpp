@@ -76,6 +76,12 @@ struct WallExtraHistory {
   ExtraHistory<Real> contact[WallTouches::capacity];
 };
 
+/// The only touch of an entry in this step, on its way from the query to the contact law.
+struct alignas(32) WallTouchNow {
+  Vec3d outward;   ///< unit, from the wall to the sphere, world frame
+  double overlap;  ///< [m]
+};
+
 /// Result of an entry for this step.
 template <class Real>
 struct WallResult {
@@ -90,6 +96,7 @@ struct WallPairs {
   Column<WallClearance> clearance;
   Column<Index> triangle;       ///< of meshes, those that an entry may touch side by side, the nearest first
   Column<double> triangle_gap;  ///< of each, as WallClearance::gap [m]
+  Column<WallTouchNow> touch;
   Column<WallHistory<Real>> history;
   Column<WallExtraHistory<Real>> extra;  ///< empty unless the contact law keeps it
   Column<WallResult<Real>> result;
@@ -102,6 +109,7 @@ struct WallPairs {
     f("clearance", w.clearance...);
     f("triangle", w.triangle...);
     f("triangle_gap", w.triangle_gap...);
+    f("touch", w.touch...);
     f("history", w.history...);
     f("extra", w.extra...);
     f("result", w.result...);
