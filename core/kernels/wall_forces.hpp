@@ -133,8 +133,7 @@ struct WallForces {
                             0};
     at.sphere.vector = contact_centre<held>(p, entry.particle, half_hold_offset);
     const WallHistory<Real> old = near.history[n];
-    WallHistory<Real> now;
-    WallExtraHistory<Real> old_extra, now_extra{};
+    WallExtraHistory<Real> old_extra;
     if constexpr (Law::keeps_extra_history) old_extra = near.extra[n];
     WallLoads<double, Real> loads;
     bool taken[WallTouches::capacity] = {};
@@ -152,13 +151,11 @@ struct WallForces {
         if (found >= 0) extra = old_extra.contact[found];
       const ContactLoad<Real> load =
           Law::load(constants[entry.wall], c, found >= 0 ? old.contact[found].history : ContactHistory<Real>{}, extra);
-      now.contact[k] = {load.history, cast<Real>(at.outward)};
-      if constexpr (Law::keeps_extra_history) now_extra.contact[k] = extra;
+      near.history[n].contact[k] = {load.history, cast<Real>(at.outward)};
+      if constexpr (Law::keeps_extra_history) near.extra[n].contact[k] = extra;
       loads.add(load, static_cast<Real>(touch.weight), c, at, wall_velocity);
     }
-    now.count = touches.count;
-    near.history[n] = now;
-    if constexpr (Law::keeps_extra_history) near.extra[n] = now_extra;
+    near.history[n].count = touches.count;
     store(lane, loads);
   }
 

@@ -19,7 +19,7 @@ struct FindWalls {
   GYRO_HD void operator()(Index n) const {
     const Sphere sphere = p.position[n];
     Index found = 0;
-    for (Index w = 0; w < walls.count; ++w) {
+    for (Index w = 0; w < walls.count && !rows.is_full(n, found); ++w) {
       const Vec3d centre = to_body(walls.poses[w], sphere.x);
       SegmentRange range{0, 0};
       if (near(walls.surfaces[w], centre, sphere.radius + skin, range)) rows.add(n, found, {n, w, range});
