@@ -148,15 +148,15 @@ void DemSolver<Exec, Real>::contact_forces(bool last_of_window) {
                                                       .deep = deep});
   });
   with_contact_law(laws_.wall_model(), [&]<class Law>(Law) {
-    exec_.for_each("wall forces", lists_.walls().count(),
-                   WallForces<Real, Law, held>{.p = rock_.read(),
-                                               .walls = walls_.now(),
-                                               .near = lists_.walls().view(),
-                                               .booking = accounts_.booking(),
-                                               .constants = laws_.walls(),
-                                               .dt = scene_.dt,
-                                               .last_of_window = last_of_window,
-                                               .deep = deep});
+    exec_.for_each_picked("wall forces", lists_.walls().count(),
+                          WallForces<Real, Law, held>{.p = rock_.read(),
+                                                      .walls = walls_.now(),
+                                                      .near = lists_.walls().view(),
+                                                      .booking = accounts_.booking(),
+                                                      .constants = laws_.walls(),
+                                                      .dt = scene_.dt,
+                                                      .last_of_window = last_of_window,
+                                                      .deep = deep});
   });
 }
 

@@ -35,12 +35,19 @@ class WallList {
     exec.for_each("count walls", particles, find);
     const auto total = static_cast<std::size_t>(exec.exclusive_scan(particles, now_.row_begin.data()));
     now_.entry.resize(total);
+    now_.touch.resize(total);
     now_.history.resize(total);
     if (with_extra_) now_.extra.resize(total);
     now_.result.resize(total);
     now_.touching.resize(total);
     find.rows.entries = now_.entry.data();
     if (total > 0) exec.for_each("find walls", particles, find);
+    measure(exec, {.p = rock.read(),
+                   .walls = walls,
+                   .skin = skin,
+                   .entry = now_.entry.data(),
+                   .clearance = nullptr,
+                   .begin = nullptr});
     exec.for_each("carry wall history", count(),
                   CarryWallHistory<Real>{view(), view_of<ConstWallPairView<Real>>(old_), with_extra_});
   }
@@ -113,6 +120,20 @@ class WallList {
   }
 
  private:
+  void measure(Exec& exec, MeasureWalls kernel) {
+    now_.clearance.resize(now_.entry.size());
+    triangle_begin_.resize(now_.entry.size() + 1);
+    kernel.clearance = now_.clearance.data();
+    kernel.begin = triangle_begin_.data();
+    exec.for_each("count triangles", count(), kernel);
+    const auto triangles = static_cast<std::size_t>(exec.exclusive_scan(count(), triangle_begin_.data()));
+    now_.triangle.resize(triangles + 1);  // a pointer to them is not null
+    now_.triangle_gap.resize(triangles + 1);
+    kernel.triangle = now_.triangle.data();
+    kernel.triangle_gap = now_.triangle_gap.data();
+    exec.for_each("list triangles", count(), kernel);
+  }
+
   /// Of the contacts of touching entries, one after the other.
   std::vector<ExtraHistory<Real>> extra_of(const std::vector<std::int8_t>& touching) const {
     const std::vector<WallHistory<Real>> history = where(touching, Exec::host(now_.history));
@@ -136,6 +157,7 @@ class WallList {
   }
 
   bool with_extra_;
+  Buffer<Index> triangle_begin_;
   WallPairs<Buffer, Real> now_, old_;  ///< two, so that history is carried from the old to the new
 };
 

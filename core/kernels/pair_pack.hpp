@@ -4,6 +4,7 @@
 // Host only.
 #include "core/kernels/pair_lane.hpp"
 #include "core/kernels/row_columns.hpp"
+#include "core/kernels/struct_columns.hpp"
 
 #include <utility>
 
@@ -38,26 +39,15 @@ struct PackOfPairs {
   /// A struct of equal numbers for each pair, as the same struct of packs.
   template <template <class> class Struct, class Real>
   Struct<Pack<Real, N>> load(const Struct<Real>* column) const {
-    constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
-    static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
-    alignas(64) Real lanes[numbers][N];
-    for (int k = 0; k < N; ++k) {
-      const char* row = reinterpret_cast<const char*>(column + n[k]);
-      for (std::size_t c = 0; c < numbers; ++c) std::memcpy(&lanes[c][k], row + c * sizeof(Real), sizeof(Real));
-    }
-    Struct<Pack<Real, N>> out;
-    std::memcpy(static_cast<void*>(&out), lanes, sizeof out);
-    return out;
+    return struct_columns<N>(column, [&](int k) { return column + n[k]; });
   }
   template <template <class> class Struct, class Real>
   void store(Struct<Real>* column, const Struct<Pack<Real, N>>& value) const {
-    store_rows(
-        column, [this](int k) { return n[k]; }, value);
+    store_structs<N, Struct, Real>(value, [&](int k) { return column + n[k]; });
   }
   template <template <class> class Struct, class Real>
   void store_at(Struct<Real>* column, const Pack<Index, N>& row, const Struct<Pack<Real, N>>& value) const {
-    store_rows(
-        column, [&row](int k) { return row.v[k]; }, value);
+    store_structs<N, Struct, Real>(value, [&](int k) { return column + row.v[k]; });
   }
 
   template <class Real>
@@ -72,19 +62,6 @@ struct PackOfPairs {
   template <class T>
   bool any(const PackMask<T, N>& m) const {
     return any_bit(m.v);
-  }
-
- private:
-  template <template <class> class Struct, class Real, class RowOf>
-  static void store_rows(Struct<Real>* column, const RowOf& row_of, const Struct<Pack<Real, N>>& value) {
-    constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
-    static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
-    alignas(64) Real lanes[numbers][N];
-    std::memcpy(lanes, static_cast<const void*>(&value), sizeof lanes);
-    for (int k = 0; k < N; ++k) {
-      char* row = reinterpret_cast<char*>(column + row_of(k));
-      for (std::size_t c = 0; c < numbers; ++c) std::memcpy(row + c * sizeof(Real), &lanes[c][k], sizeof(Real));
-    }
   }
 };
 

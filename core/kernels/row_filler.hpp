@@ -17,6 +17,10 @@ struct RowFiller {
     if (entries != nullptr) entries[counts[row] + found] = entry;
     ++found;
   }
+  /// Whether the filling run has all entries of a row that the counting run has found.
+  GYRO_HD bool is_full(Index row, Index found) const {
+    return entries != nullptr && counts[row] + found == counts[row + 1];
+  }
   GYRO_HD void end_row(Index row, Index found) const {
     if (entries == nullptr) counts[row] = found;
   }

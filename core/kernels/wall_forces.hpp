@@ -1,61 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laws/contact/contact.hpp"
+#include "core/kernels/wall_contact.hpp"
+#include "core/kernels/wall_touch.hpp"
 #include "core/scene/wall_motion.hpp"
-#include "core/state/particles.hpp"
-#include "core/state/walls.hpp"
+
+#include <type_traits>
 
 namespace gyro {
-
-/// Touches of a sphere with a wall of any kind. Body frame in, body frame out.
-GYRO_HD inline WallTouches touch_wall(const WallSurface& surface, const SegmentRange& range, const Vec3d& centre,
-                                      double radius) {
-  if (surface.kind == WallKind::plane) return touch_plane(surface.plane.point, surface.plane.normal, centre, radius);
-  if (surface.kind == WallKind::profile) return touch_profile(surface.profile, range, centre, radius);
-  return touch_mesh(surface.mesh, centre, radius);
-}
-
-/// What the contacts of one entry do to the wall.
-struct WallTotal {
-  Vec3d force{0, 0, 0}, torque{0, 0, 0};  ///< on the particle, torque about the world's origin [N], [N m]
-  double power = 0;                       ///< of the wall on the particle [W]
-  double slip_power = 0;                  ///< lost in sliding friction [W]
-
-  GYRO_HD void add(const Vec3d& on_particle, const Vec3d& point, const Vec3d& wall_velocity) {
-    force += on_particle;
-    torque += cross(point, on_particle);
-    power += dot(on_particle, wall_velocity);
-  }
-  GYRO_HD void add_couple(const Vec3d& on_particle, const Vec3d& wall_spin) {
-    torque += on_particle;
-    power += dot(on_particle, wall_spin);
-  }
-  /// Adds what acts over a time to an exact sum.
-  GYRO_HD void book(double time, WallSum& sum) const {
-    const double scale = time / wall_quantum;
-    sum.force -= quanta(scale * force);
-    sum.torque -= quanta(scale * torque);
-    sum.work += quanta(scale * power);
-    sum.slip += quanta(scale * slip_power);
-  }
-
- private:
-  /// Numbers that are not finite count as zero here: the guard reports the particle.
-  GYRO_HD static std::int64_t quanta(double x) {
-    constexpr double maximum = 9e18;
-    return x > -maximum && x < maximum ? static_cast<std::int64_t>(::floor(x + 0.5)) : 0;
-  }
-  GYRO_HD static Vec3<std::int64_t> quanta(const Vec3d& v) { return {quanta(v.x), quanta(v.y), quanta(v.z)}; }
-};
 
 /// Contact of a particle with a rigid wall: force into the entry's own slot, load of the wall into
 /// the entry's exact sums. Half of the last step's load of a window acts in the next one's first half kick:
 /// work, impulse and angular impulse of a window are those that the rock has felt in it.
+///
+/// A kernel for Exec::for_each_picked: entries are looked at one by one, and those that touch in one place, which
+/// nearly all do, are evaluated several at a time. Several touches, and laws that keep ExtraHistory, are evaluated as
+/// they are found.
 /// @tparam Law   a ContactLaw
 /// @tparam held  some particles have sub-steps, over which forces are held
 template <class Real, class Law, bool held>
 struct WallForces {
+  using Lane = OneEntry;  ///< of a GPU thread
+  /// Of a CPU core.
+  using Pack = std::conditional_t<Law::keeps_extra_history, OneEntry, PackOfEntries<native_lanes>>;
   static constexpr int blocks_at_once = 2;
 
   ConstParticleView p;
@@ -67,89 +34,140 @@ struct WallForces {
   bool last_of_window;                      ///< half of a particle's last sub-step is beyond the window's end
   OverlapCheck deep;
 
-  GYRO_HD void operator()(Index n) const {
+  /// Whether the entry touches in one place. If it does in none, its history is forgotten.
+  GYRO_HD bool pick(Index n) const {
     const WallEntry entry = near.entry[n];
-    const WallPose pose = walls.poses[entry.wall];
-    const Sphere sphere{centre(entry.particle, pose), p.position[entry.particle].radius};
+    const WallPose& pose = walls.poses[entry.wall];
+    const Vec3d centre = seen(OneEntry{n}, entry.particle, entry.wall).sphere.vector;
+    const ListedTouches listed{near.clearance, near.triangle, near.triangle_gap};
     const WallTouches touches =
-        touch_wall(walls.surfaces[entry.wall], entry.range, to_body(pose, sphere.x), sphere.radius);
+        listed(n, entry, walls.surfaces[entry.wall], to_body(pose, centre), p.position[entry.particle].radius);
     if (last_of_window) booking.carried_over[n] = WallSum{};
     if (touches.count == 0) {
       if (near.touching[n]) {
         near.touching[n] = 0;
         near.history[n].count = 0;
       }
-      return;
+      return false;
     }
     near.touching[n] = 1;
-    evaluate(n, entry, sphere, pose, touches);
+    if (Law::keeps_extra_history || touches.count > 1) {
+      evaluate(n, touches);
+      return false;
+    }
+    const WallTouch& touch = touches.touch[0];
+    near.touch[n] = {rotate(pose.orientation, touch.normal), -touch.gap};
+    if (near.history[n].count != 1) keep_one(near.history[n], cast<Real>(near.touch[n].outward));
+    return true;
+  }
+
+  /// The only contact of each entry: its weight is 1.
+  template <class Lanes>
+  GYRO_FLATTEN GYRO_HD void operator()(const Lanes& lanes) const {
+    if constexpr (!Law::keeps_extra_history) {
+      using D = typename Lanes::template Number<double>;
+      using R = typename Lanes::template Number<Real>;
+      const auto particle = lanes.index(near.entry, &WallEntry::particle);
+      const auto wall = lanes.index(near.entry, &WallEntry::wall);
+      const ParticleRow<D> touch = lanes.own_row(near.touch);
+      SphereOnWall<D> at = seen(lanes, particle, wall);
+      at.outward = touch.vector;
+      at.overlap = touch.number;
+      if (lanes.any(at.overlap > D(deep.limit) * at.sphere.number)) raise_flag(deep.limit_exceeded);
+
+      const Vec3<D> wall_velocity = at.wall.at(at.point());
+      const ContactMotion<R> c = at.template contact<Real>(wall_velocity);
+      ExtraHistory<R> unused{};
+      const ContactLoad<R> load =
+          Law::load(lanes.of_wall(constants, wall), c, remembered(lanes.first(near.history), -c.normal), unused);
+      lanes.store_first(near.history, WallContact<R>{load.history, -c.normal});
+      WallLoads<D, R> loads;
+      loads.add(load, R(1), c, at, wall_velocity);
+      store(lanes, loads, particle);
+    }
   }
 
  private:
-  /// As the wall sees it, which stands where it is at the end of the step: a particle with sub-steps is seen earlier.
-  GYRO_HD Vec3d centre(Index particle, const WallPose& pose) const {
-    const Vec3d x = contact_centre<held>(p, particle, dt);
-    if constexpr (held) return x + time_to_middle(dt, p.step[particle]) * velocity_at(pose, x);
-    return x;
+  /// A particle as a wall sees it that stands where it is at the end of the step: one with sub-steps is seen earlier.
+  /// Where it touches is not set.
+  template <class Lanes, class Number>
+  GYRO_HD auto seen(const Lanes& lanes, const Number& particle, const Number& wall) const {
+    using D = typename Lanes::template Number<double>;
+    SphereOnWall<D> at{};
+    at.sphere = lanes.row(p.position, particle);
+    at.motion = lanes.row(p.motion, particle);
+    at.angular = lanes.row(p.angular_motion, particle);
+    at.wall = lanes.velocity(walls.poses, wall);
+    at.damping_rate = lanes.at(p.damping_rate, particle);
+    if constexpr (held) {
+      const D ahead = D(0.5) * (D(dt) - lanes.at(p.step, particle));  // as time_to_middle()
+      at.sphere.vector = at.sphere.vector + ahead * at.motion.vector;
+      at.sphere.vector = at.sphere.vector + ahead * at.wall.at(at.sphere.vector);
+    }
+    return at;
   }
 
-  GYRO_HD void evaluate(Index n, const WallEntry& entry, const Sphere& sphere, const WallPose& pose,
-                        const WallTouches& touches) const {
-    const Motion motion = p.motion[entry.particle];
-    const AngularMotion angular = p.angular_motion[entry.particle];
+  static constexpr double same_contact = 0.70710678;  ///< cosine of 45 degrees: normals of one contact in two steps
+
+  /// The history of an entry's contact if it is still the same.
+  template <class R>
+  GYRO_HD static ContactHistory<R> remembered(const WallContact<R>& old, const Vec3<R>& outward) {
+    const auto same = dot(old.normal, outward) > R(static_cast<Real>(same_contact));
+    const R zero(0);
+    const Vec3<R> nothing{zero, zero, zero};
+    return {select(same, old.history.elastic, nothing), select(same, old.history.overlap, zero),
+            select(same, old.history.drag, nothing)};
+  }
+  /// Leaves one contact in the history: the one that goes on, if there is any.
+  GYRO_HD static void keep_one(WallHistory<Real>& history, const Vec3<Real>& outward) {
+    bool taken[WallTouches::capacity] = {};
+    const int found = matching_contact(history, outward, taken);
+    history.contact[0] = found >= 0 ? history.contact[found] : WallContact<Real>{};
+    history.count = 1;
+  }
+
+  /// Half of a particle's last sub-step is beyond the window's end.
+  template <class Lanes, class D, class R, class Number>
+  GYRO_HD void store(const Lanes& lanes, WallLoads<D, R>& loads, const Number& particle) const {
+    loads.total.slip_power = lane_cast<double>(loads.result.slipped) / D(dt);
+    lanes.store(near.result, loads.result);
+    if (!last_of_window) return lanes.add(booking.sums, loads.total.over(D(dt)));
+    const D later = D(0.5) * lanes.at(p.step, particle);
+    lanes.add(booking.sums, loads.total.over(D(dt) - later));
+    lanes.add(booking.carried_over, loads.total.over(later));
+  }
+
+  /// All contacts of one entry.
+  GYRO_APART GYRO_HD void evaluate(Index n, const WallTouches& touches) const {
+    const OneEntry lane{n};
+    const WallEntry entry = near.entry[n];
+    const WallPose& pose = walls.poses[entry.wall];
+    SphereOnWall<double> at = seen(lane, entry.particle, entry.wall);
     const WallHistory<Real> old = near.history[n];
-    WallHistory<Real> now;
-    WallExtraHistory<Real> old_extra, now_extra{};
+    WallExtraHistory<Real> old_extra;
     if constexpr (Law::keeps_extra_history) old_extra = near.extra[n];
-    WallResult<Real> result{};
-    WallTotal total;
+    WallLoads<double, Real> loads;
     bool taken[WallTouches::capacity] = {};
     for (int k = 0; k < touches.count; ++k) {
       const WallTouch& touch = touches.touch[k];
-      const Vec3d outward = rotate(pose.orientation, touch.normal);
-      const double overlap = -touch.gap, arm = sphere.radius - overlap;
-      deep.check_overlap(overlap, sphere.radius);
-      const Vec3d point = sphere.x - arm * outward;
-      const Vec3d wall_velocity = velocity_at(pose, point);
+      at.outward = rotate(pose.orientation, touch.normal);
+      at.overlap = -touch.gap;
+      deep.check_overlap(at.overlap, at.sphere.number);
+      const Vec3d wall_velocity = at.wall.at(at.point());
+      const ContactMotion<Real> c = at.template contact<Real>(wall_velocity);
 
-      ContactMotion<Real> c;
-      c.normal = cast<Real>(-outward);
-      c.overlap = static_cast<Real>(overlap);
-      c.velocity = cast<Real>(motion.v - wall_velocity - arm * cross(angular.w, outward));
-      c.angular_velocity = cast<Real>(angular.w - pose.angular_velocity);
-      c.radius = static_cast<Real>(sphere.radius);
-      c.mass = static_cast<Real>(motion.mass);
-      c.inertia = static_cast<Real>(angular.inertia);
-      c.lever = static_cast<Real>(arm);
-      c.damping_rate = static_cast<Real>(p.damping_rate[entry.particle]);
-
-      const int found = matching_contact(old, cast<Real>(outward), taken);
+      const int found = matching_contact(old, cast<Real>(at.outward), taken);
       ExtraHistory<Real> extra{};
       if constexpr (Law::keeps_extra_history)
         if (found >= 0) extra = old_extra.contact[found];
       const ContactLoad<Real> load =
           Law::load(constants[entry.wall], c, found >= 0 ? old.contact[found].history : ContactHistory<Real>{}, extra);
-      const Real weight = static_cast<Real>(touch.weight);
-      const Vec3<Real> force = weight * load.force;
-      const Vec3<Real> couple = weight * load.couple;
-      result.force += force;
-      result.torque += static_cast<Real>(arm) * cross(c.normal, force) + couple;
-      result.damped += weight * load.damped;
-      result.slipped += weight * load.slipped;
-      result.dashpot += weight * load.dashpot;
-      now.contact[k] = {load.history, cast<Real>(outward)};
-      if constexpr (Law::keeps_extra_history) now_extra.contact[k] = extra;
-      total.add(cast<double>(force), point, wall_velocity);
-      total.add_couple(cast<double>(couple), pose.angular_velocity);
+      near.history[n].contact[k] = {load.history, cast<Real>(at.outward)};
+      if constexpr (Law::keeps_extra_history) near.extra[n].contact[k] = extra;
+      loads.add(load, static_cast<Real>(touch.weight), c, at, wall_velocity);
     }
-    total.slip_power = static_cast<double>(result.slipped) / dt;
-    now.count = touches.count;
-    near.history[n] = now;
-    if constexpr (Law::keeps_extra_history) near.extra[n] = now_extra;
-    near.result[n] = result;
-    const double later = last_of_window ? 0.5 * p.step[entry.particle] : 0;
-    total.book(dt - later, booking.sums[n]);
-    if (last_of_window) total.book(later, booking.carried_over[n]);
+    near.history[n].count = touches.count;
+    store(lane, loads, entry.particle);
   }
 
   /// The contact of the last step with the nearest normal (within 45 degrees), each used once if there are enough; -1:
@@ -157,7 +175,7 @@ struct WallForces {
   /// facet of a concave wall, both share the load, and friction must not restart from zero.
   GYRO_HD static int matching_contact(const WallHistory<Real>& old, const Vec3<Real>& normal, bool* taken) {
     int own = -1, beside = -1;
-    Real nearest = Real(0.70710678), nearest_of_all = nearest;
+    Real nearest = static_cast<Real>(same_contact), nearest_of_all = nearest;
     for (int k = 0; k < old.count; ++k) {
       const Real cosine = dot(old.contact[k].normal, normal);
       if (cosine > nearest_of_all) {

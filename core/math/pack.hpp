@@ -81,6 +81,14 @@ Pack<T, N> sqrt(Pack<T, N> a) {
   std::memcpy(&a.v, lane, sizeof lane);
   return a;
 }
+template <class T, int N>
+Pack<T, N> floor(Pack<T, N> a) {
+  alignas(64) T lane[N];
+  std::memcpy(lane, &a.v, sizeof lane);
+  for (int k = 0; k < N; ++k) lane[k] = std::floor(lane[k]);
+  std::memcpy(&a.v, lane, sizeof lane);
+  return a;
+}
 template <class To, class From, int N>
 Pack<To, N> pack_cast(Pack<From, N> a) {
   return Pack<To, N>{__builtin_convertvector(a.v, typename Pack<To, N>::Vector)};

@@ -31,7 +31,7 @@ struct WallsNow {
 struct WallEntry {
   Index particle;
   Index wall;
-  SegmentRange range;  ///< of a profile
+  SegmentRange range;  ///< of a profile; of a mesh: numbers into WallPairs::triangle
 
   template <class F, class... E>
   static constexpr void for_each_field(F&& f, E&... e) {
@@ -41,6 +41,13 @@ struct WallEntry {
   }
 };
 static_assert(declares_every_field<WallEntry>);
+
+/// What was free between a sphere and a wall when the list was built. A sphere whose centre has come less far than that
+/// does not touch, whatever the shape of the wall.
+struct alignas(32) WallClearance {
+  Vec3d centre;  ///< of the sphere then, in the wall's frame [m]
+  double gap;    ///< at most what was free; 0 for planes, whose exact test is as short [m]
+};
 
 /// One contact of a sphere and a wall, as the next step finds it again.
 template <class Real>
@@ -69,6 +76,12 @@ struct WallExtraHistory {
   ExtraHistory<Real> contact[WallTouches::capacity];
 };
 
+/// The only touch of an entry in this step, on its way from the query to the contact law.
+struct alignas(32) WallTouchNow {
+  Vec3d outward;   ///< unit, from the wall to the sphere, world frame
+  double overlap;  ///< [m]
+};
+
 /// Result of an entry for this step.
 template <class Real>
 struct WallResult {
@@ -81,6 +94,10 @@ struct WallResult {
 template <template <class> class Column, class Real>
 struct WallPairs {
   Column<WallEntry> entry;
+  Column<WallClearance> clearance;
+  Column<Index> triangle;       ///< of meshes, those that an entry may touch side by side, the nearest first
+  Column<double> triangle_gap;  ///< of each, as WallClearance::gap [m]
+  Column<WallTouchNow> touch;
   Column<WallHistory<Real>> history;
   Column<WallExtraHistory<Real>> extra;  ///< empty unless the contact law keeps it
   Column<WallResult<Real>> result;
@@ -90,6 +107,10 @@ struct WallPairs {
   template <class F, class... W>
   static constexpr void for_each_column(F&& f, W&... w) {
     f("entry", w.entry...);
+    f("clearance", w.clearance...);
+    f("triangle", w.triangle...);
+    f("triangle_gap", w.triangle_gap...);
+    f("touch", w.touch...);
     f("history", w.history...);
     f("extra", w.extra...);
     f("result", w.result...);

@@ -45,6 +45,19 @@ GYRO_HD void visit_near(const MeshView& mesh, const Vec3d& centre, double reach,
     }
 }
 
+/// Visitor that looks whether a triangle is within reach.
+struct AnyNear {
+  const WallTriangle* triangles;
+  Vec3d centre;
+  double reach;
+  bool found = false;
+
+  GYRO_HD void operator()(Index id) {
+    NearPoint unused;
+    if (!found) found = near_triangle(triangles[id], centre, reach, unused) != Place::out_of_reach;
+  }
+};
+
 /// Visitor that lists the triangles within reach: ascending, each once.
 struct ListNear {
   const WallTriangle* triangles;

@@ -98,9 +98,9 @@ TEST_CASE("Stored energy of a contact is the work of Hertz's force", "[laws][con
   double work = 0;
   const int steps = 20000;
   for (int k = 0; k < steps; ++k) work += hertz((k + 0.5) * depth / steps) * depth / steps;
-  CHECK(contact_energy<double>({}, elastic_law(), radius, {{0, 0, 0}, depth, {0, 0, 0}}, nullptr) ==
+  CHECK(contact_energy<double>({}, elastic_law(), radius, depth, {{0, 0, 0}, depth, {0, 0, 0}}, nullptr) ==
         Approx(work).epsilon(1e-6));
-  CHECK(contact_energy<double>({}, elastic_law(), radius, {{3, 4, 0}, depth, {0, 0, 0}}, nullptr) - work ==
+  CHECK(contact_energy<double>({}, elastic_law(), radius, depth, {{3, 4, 0}, depth, {0, 0, 0}}, nullptr) - work ==
         Approx(25 / (16 * shear * std::sqrt(radius * depth))).epsilon(1e-3));
 }
 
