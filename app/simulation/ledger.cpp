@@ -75,6 +75,10 @@ std::string Ledger::passed_limit() const {
   } else if (x.rotation > maximum.rotation) {
     why << "particle " << x.fastest_rotating << " rotates by " << x.rotation << " rad in a step; at most "
         << maximum.rotation << ". Reduce time.safety, or its angular velocity";
+  } else if (x.contact_step > maximum.contact_step) {
+    why << "the step is " << x.contact_step << " times the stability limit of the " << x.crowd
+        << " contacts of particle " << x.crowded
+        << ": it is pressed harder than the choice of the step assumes. Reduce numerics.hold or time.safety";
   } else if (x.bond_rotation > maximum.bond_rotation) {
     why << "a bond of particle " << x.twisted << " is bent by " << x.bond_rotation << " rad without failing; at most "
         << maximum.bond_rotation

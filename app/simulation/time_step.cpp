@@ -171,20 +171,27 @@ void divide(double window, double wanted, bool asked_for, StepChoice& choice) {
   choice.dt = window / choice.steps_per_window;
 }
 
-[[noreturn]] void refuse_hold(double wanted, double limit, const std::string& instead) {
+[[noreturn]] void refuse_hold(double wanted, double share, double limit, const std::string& instead) {
   std::ostringstream message;
-  message << "contact and wall forces would be held for " << wanted << " s; at most half their stability limit of "
-          << limit << " s is possible, " << instead;
+  message << "contact and wall forces would be held for " << wanted << " s; at most " << share
+          << " of their stability limit of " << limit << " s is possible, " << instead;
   throw BadHold(message.str());
 }
 
-void check_hold(const StepChoice& choice, const Rates& rates) {
-  const double maximum = rates.share * choice.contact_limit;
+/// Held contacts feed vibrations of bonds with twice the period of the hold, which some damping of bonds stops: from
+/// 0.01 on, more changes nothing (tests/hard/near_limit.md).
+double held_share(const Scene& scene, const Rates& rates) {
+  constexpr double least_damping = 0.01, share_below = 0.35;
+  return scene.bonds && scene.bonds->damping < least_damping ? std::min(rates.share, share_below) : rates.share;
+}
+
+void check_hold(const StepChoice& choice, const Scene& scene, const Rates& rates) {
+  const double maximum = held_share(scene, rates) * choice.contact_limit;
   if (rates.substeps == 1 || choice.dt <= maximum) return;
   std::ostringstream instead;
   instead << "which is " << std::max(1, static_cast<int>(maximum / choice.bond_step)) << " sub-steps of "
           << choice.bond_step << " s";
-  refuse_hold(choice.dt, choice.contact_limit, instead.str());
+  refuse_hold(choice.dt, held_share(scene, rates), choice.contact_limit, instead.str());
 }
 
 /// All rocks have the same sub-steps.
@@ -206,7 +213,7 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
   divide(request.window, wanted * substeps, request.step.has_value(), choice);
   choice.fewest_substeps = choice.most_substeps = substeps;
   choice.bond_step = choice.dt / substeps;
-  check_hold(choice, request.rates);
+  check_hold(choice, setup.scene, request.rates);
   choice.of_library.assign(setup.library.rocks.size(), substeps);
   choice.of_start.assign(setup.start.size(), substeps);
 }
@@ -214,7 +221,7 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
 /// The longest step of the scene that contacts and walls allow, or the one that is asked for.
 void choose_hold(const Setup& setup, const StepRequest& request, const Limit& undamped, const Limit& sweep,
                  StepChoice& choice) {
-  const double allowed = request.rates.share * undamped.step;
+  const double allowed = held_share(setup.scene, request.rates) * undamped.step;
   double hold = std::min({allowed, sweep.step, request.window});
   choice.hold_limited_by = hold == allowed ? undamped.by : hold == sweep.step ? sweep.by : "the coupling interval";
   if (request.rates.kind == Rates::Kind::given) {
@@ -224,7 +231,7 @@ void choose_hold(const Setup& setup, const StepRequest& request, const Limit& un
     if (hold > rounding * allowed) {
       std::ostringstream instead;
       instead << "which is " << allowed << " s (" << undamped.by << ")";
-      refuse_hold(hold, undamped.step, instead.str());
+      refuse_hold(hold, held_share(setup.scene, request.rates), undamped.step, instead.str());
     }
     check_sweep(hold, sweep, setup.scene.limits.speed_ratio);
   }

@@ -19,9 +19,11 @@ struct Rates {
     given,      ///< the same, with a given step of the scene
   };
   Kind kind = Kind::uniform;
-  int substeps = 1;    ///< of uniform
-  double hold = 0;     ///< of given: largest step of the scene [s]
-  double share = 0.5;  ///< largest step of the scene / undamped stability limit of contacts, where rocks have sub-steps
+  int substeps = 1;  ///< of uniform
+  double hold = 0;   ///< of given: largest step of the scene [s]
+  /// Largest step of the scene / undamped stability limit of contacts, where rocks have sub-steps; at most 0.35 for
+  /// bonds with less than 1 % of critical damping.
+  double share = 0.5;
 };
 
 /// What the time steps have to satisfy.

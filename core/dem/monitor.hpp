@@ -31,6 +31,7 @@ inline Extremes worst_of(const Extremes& a, const Extremes& b) {
   x.overlap_ratio = larger(a.overlap_ratio, b.overlap_ratio);
   if (b.speed_ratio > a.speed_ratio) x.speed_ratio = b.speed_ratio, x.fastest = b.fastest;
   if (b.rotation > a.rotation) x.rotation = b.rotation, x.fastest_rotating = b.fastest_rotating;
+  if (b.contact_step > a.contact_step) x.contact_step = b.contact_step, x.crowded = b.crowded, x.crowd = b.crowd;
   if (b.bond_rotation > a.bond_rotation) x.bond_rotation = b.bond_rotation, x.twisted = b.twisted;
   return x;
 }

@@ -4,7 +4,10 @@
 #include "core/dem/neighbour_lists.hpp"
 #include "core/dem/scene_laws.hpp"
 #include "core/kernels/accounts.hpp"
+#include "core/kernels/stiffest_contacts.hpp"
 #include "core/scene/accounts.hpp"
+
+#include <cmath>
 
 namespace gyro {
 
@@ -35,6 +38,13 @@ struct SceneSums {
         SumBonds<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model(), rock.blocks().data()});
   }
 
+  StiffestContacts stiffest_contacts() const {
+    return exec.template reduce<StiffestContacts>(
+        "sum contacts", rock.count(),
+        FindStiffestContacts<Real>{rock.read(), lists.pairs().read(), lists.walls().read(), laws.rock(), laws.walls(),
+                                   laws.rock_model(), laws.wall_model(), scene.dt, scene.damping_cap});
+  }
+
   /// @param booked  energies of what has left, of events and of walls
   EnergyTerms energy(const EnergyTerms& booked) const {
     const ParticleSums sums = particles();
@@ -63,6 +73,10 @@ struct SceneSums {
     x.fastest = sums.fastest;
     x.rotation = sums.rotation;
     x.fastest_rotating = sums.fastest_rotating;
+    const StiffestContacts stiffest = stiffest_contacts();
+    x.contact_step = std::sqrt(stiffest.share2);
+    x.crowded = stiffest.particle;
+    x.crowd = stiffest.count;
     x.bond_rotation = bond.rotation;
     x.twisted = bond.twisted;
     return x;

@@ -31,6 +31,7 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
   GYRO_EXPECT(window.dt == scene_.dt && window.steps > 0);
   walls_.plan(scene_.walls, window, path);
   monitor_.begin_window();
+  accounts_.begin_window(walls_.poses());
   if (!primed_) prime();
   for (int done = 0; done < window.steps; ++done) {
     if (give_up_ && give_up_(static_cast<double>(done) / window.steps))

@@ -71,6 +71,17 @@ class WallAccounts {
     note_impulses(rock, poses);
     for (std::size_t w = 0; w < sums_.size(); ++w) sums_[w] = sum(exec, entries, entry_carried_over_, w);
   }
+  /// A window begins: what is carried over into it acts while the walls move as they do in it. A wall is rigid, so the
+  /// work follows from the impulse: -(p . v + (l - x x p) . w), p and l the impulses on the wall.
+  /// @param poses  at its begin
+  void begin_window(const std::vector<WallPose>& poses) {
+    for (std::size_t w = 0; w < sums_.size(); ++w) {
+      const Vec3d force = cast<double>(sums_[w].force), torque = cast<double>(sums_[w].torque);
+      const WallPose& pose = poses[w];
+      sums_[w].work = -quanta(dot(force, pose.velocity) +
+                              dot(torque - cross(pose.origin, force), pose.angular_velocity));
+    }
+  }
   /// Forgets what has been booked: no time has passed.
   void discard(Exec& exec, const Buffer<WallEntry>& entries) {
     add_up(exec, entries);

@@ -88,6 +88,7 @@ struct StepLimits {
   double overlap_ratio = 0.8;  ///< overlap / smaller radius [-]
   double speed_ratio = 0.2;    ///< v dt / R [-]
   double rotation = 0.1;       ///< angular velocity x dt [rad]
+  double contact_step = 1;     ///< step / stability limit of what a particle touches [-]
   double bond_rotation = 0.5;  ///< 2 sin(theta/2), theta the rotation of a bond's ends against each other [rad]
 };
 

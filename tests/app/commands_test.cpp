@@ -31,7 +31,8 @@ TEST_CASE("check --json reports the size and cost of a case") {
   const double step = j["time_step"], limit = j["time_step_limit"];
   CHECK(step > 0);
   CHECK(step <= 0.7 * limit);
-  CHECK(j["steps"].get<double>() * step == Approx(0.05));
+  CHECK(j["steps"].get<double>() * j["hold"].get<double>() == Approx(0.05));
+  CHECK(j["hold"].get<double>() == Approx(j["substeps"][1].get<double>() * step));
   CHECK(j["limited_by"].get<std::string>().find("rock") != std::string::npos);
   CHECK(j["bytes"] > 0);
   CHECK(j["estimated_seconds"] > 0);

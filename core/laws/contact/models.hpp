@@ -77,7 +77,7 @@ GYRO_HD T contact_energy(ContactModel model, const ContactConstants<T>& constant
 
 /// What the contact asks of the step.
 /// @param radius  R* [m]
-inline ContactStiffness contact_stiffness(ContactModel model, const ContactConstants<double>& constants, double radius,
+GYRO_HD inline ContactStiffness contact_stiffness(ContactModel model, const ContactConstants<double>& constants, double radius,
                                           double overlap) {
   return with_contact_law(model, contact_detail::StiffnessOf{constants, radius, overlap});
 }
