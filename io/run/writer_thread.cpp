@@ -40,7 +40,7 @@ void WriterThread::add(std::function<void()> job) {
   if (!thread_.joinable()) start();
   {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return failure_ || jobs_.size() < most_jobs; });
+    changed_.wait(lock, [this] { return failure_ || jobs_.size() < max_jobs; });
     require_sound();
     jobs_.push_back(std::move(job));
   }

@@ -24,9 +24,9 @@ class WriterThread {
   WriterThread(const WriterThread&) = delete;
   WriterThread& operator=(const WriterThread&) = delete;
 
-  static constexpr std::size_t most_jobs = 2;  ///< that are not done, the one that is being done included
+  static constexpr std::size_t max_jobs = 2;  ///< that are not done, the one that is being done included
 
-  /// Waits while there are most_jobs.
+  /// Waits while there are max_jobs.
   void add(std::function<void()> job);
   /// Waits until all jobs are done.
   void finish();

@@ -49,7 +49,7 @@ TEST_CASE("A writer thread does its jobs in their order, and is at most two behi
       ++begun;
       done.push_back(k);
     });
-    CHECK(begun + static_cast<int>(WriterThread::most_jobs) > k);
+    CHECK(begun + static_cast<int>(WriterThread::max_jobs) > k);
   }
   writer.finish();
   REQUIRE(done.size() == 200);
