@@ -4,6 +4,7 @@
 #include "core/scene/wall_motion.hpp"
 
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <string_view>
 
@@ -91,6 +92,7 @@ void RunOutput::begin(Simulation& simulation) {
 }
 
 void RunOutput::take(const WindowResult& result, const Simulation& simulation) {
+  writer_.check();
   lost_ = lost_ || !is_finite(result, simulation);
   if (lost_) return;
   rows_.add(results_, result, simulation);
@@ -122,20 +124,25 @@ void RunOutput::write_row(const Simulation& simulation) {
   rows_.write(results_, simulation, wall_seconds());
 }
 
+/// Gives the writer a frame that owns its data.
 void RunOutput::write_snapshot(const Simulation& simulation) {
-  const ParticleSnapshot particles = simulation.dem().particles();
-  const BondSnapshot bonds = simulation.dem().bonds();
-  std::vector<PosedWall> walls, fixed;
+  const auto frame = std::make_shared<Frame>();
+  frame->time = simulation.time();
+  frame->particles = simulation.dem().particles();
+  if (input_.bonds) frame->bonds = simulation.dem().bonds();
   const std::vector<WallPose> poses = simulation.dem().wall_poses();
   for (const WallPicture& picture : assembly_.pictures) {
     const auto number = static_cast<std::size_t>(picture.wall);
     PosedWall wall = posed(picture, poses[number]);
     wall.loads = maps_.loads(picture.wall);
     const bool same = std::holds_alternative<Fixed>(assembly_.setup.scene.walls[number].motion) && !wall.loads;
-    (same ? fixed : walls).push_back(std::move(wall));
+    (same ? frame->fixed : frame->walls).push_back(std::move(wall));
   }
-  snapshots_.write_fixed(fixed);
-  snapshots_.write({simulation.time(), &particles, input_.bonds ? &bonds : nullptr, walls});
+  writer_.add([this, frame] {
+    snapshots_.write_fixed(frame->fixed);
+    snapshots_.write({frame->time, &frame->particles, frame->bonds ? &*frame->bonds : nullptr, frame->walls});
+  });
+  state_.snapshot_times.push_back(frame->time);
   ++state_.frames;
 }
 
@@ -147,7 +154,6 @@ void RunOutput::save(SavedState& to) const {
   State state = state_;
   state.wall_seconds = wall_seconds();
   state.snapshot_interval = input_.output.snapshots;
-  state.snapshot_times = snapshots_.times();
   to.put_one("output", state);
   for (const auto& [group, mark] : results_.marks()) {
     const std::string name = std::string(marks_prefix) + group;
@@ -173,7 +179,13 @@ void RunOutput::close(Simulation& simulation) {
   close();
 }
 
+void RunOutput::sync() {
+  writer_.finish();
+  results_.sync();
+}
+
 void RunOutput::close() {
+  writer_.finish();
   maps_.close(results_);
   results_.close();
 }

@@ -9,14 +9,18 @@
 #include "app/simulation/simulation.hpp"
 #include "io/run/results.hpp"
 #include "io/run/snapshots.hpp"
+#include "io/run/writer_thread.hpp"
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace gyro {
 
 /// The files that a run writes while it runs: results.h5 and the snapshots. Only parts that the case has get output.
+/// Snapshots are written by a thread of their own, so that compressing them takes no time of the run. HDF5 is called
+/// by the thread of the run alone, because its library is not safe for threads.
 class RunOutput {
  public:
   /// @param saved  state of the output of a resumed run, otherwise null; later rows and snapshots are removed
@@ -26,13 +30,15 @@ class RunOutput {
 
   /// Writes what there is at the start: the snapshot, if the case asks for snapshots, and rock that lies outside.
   void begin(Simulation& simulation);
-  /// Adds a window; writes the row and the snapshot if they are due. A window with numbers that are not finite is left
-  /// out, and all that follows: no table has such numbers.
+  /// Adds a window; writes the row, and has the snapshot written, if they are due. A window with numbers that are not
+  /// finite is left out, and all that follows: no table has such numbers.
   void take(const WindowResult& result, const Simulation& simulation);
   /// Saves the state that a resumed run needs, between two windows.
   void save(SavedState& to) const;
-  /// Waits until the disk has all rows: a checkpoint must never be ahead of them.
-  void sync() { results_.sync(); }
+  /// Waits until all snapshots are written and the disk has all rows: a checkpoint must never be ahead of them.
+  void sync();
+  /// Forgets snapshots that have not been begun, in a directory that is another run's now.
+  void drop_snapshots() { writer_.drop(); }
   double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
   /// Whether windows were left out, or the present state is not finite.
   bool lost(const Simulation& simulation);
@@ -68,6 +74,14 @@ class RunOutput {
     }
   };
 
+  /// A snapshot with all that its files need.
+  struct Frame {
+    double time;  ///< [s]
+    ParticleSnapshot particles;
+    std::optional<BondSnapshot> bonds;
+    std::vector<PosedWall> walls, fixed;
+  };
+
   ResultsContent content(const CaseRecord& record) const;
   double wall_seconds() const;
   void note_drive(const WindowResult& result, const Simulation& simulation);
@@ -83,8 +97,9 @@ class RunOutput {
   GyrationReader gyrations_;
   MotorRows motor_;
   ResultsFile results_;
-  SnapshotWriter snapshots_;
+  SnapshotWriter snapshots_;  ///< used by the writer's thread only
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  WriterThread writer_;  ///< ends first: its jobs use the members above
 };
 
 }  // namespace gyro

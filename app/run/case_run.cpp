@@ -132,9 +132,7 @@ void CaseRun::loop(Summary& summary) {
     output_.take(simulation.advance(), simulation);
     log_.drive_events(simulation);
     simulation.require_sound();
-    if (directory_.lock && directory_.lock->lost())
-      throw OutputError(directory_.path.string() +
-                        ": another run has taken this directory while this one was suspended");
+    if (directory_.lock && directory_.lock->lost()) leave_directory();
     checkpoints_.keep_if_due(simulation, output_);
     progress.update(progress_state());
     if (const char* reason = stop_reason()) {
@@ -145,6 +143,11 @@ void CaseRun::loop(Summary& summary) {
   }
   progress.finish(progress_state());
   checkpoints_.write(simulation, output_);
+}
+
+void CaseRun::leave_directory() {
+  output_.drop_snapshots();
+  throw OutputError(directory_.path.string() + ": another run has taken this directory while this one was suspended");
 }
 
 const char* CaseRun::stop_reason() const {

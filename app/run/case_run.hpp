@@ -48,6 +48,7 @@ class CaseRun {
   /// Whether the window must be given up: somebody asks to stop and its end is far. @param share_done  of its steps
   bool must_give_up(double share_done) const;
   void give_up(Summary& summary);
+  [[noreturn]] void leave_directory();  ///< to another run
   /// Reason why the run must stop before its end; null if there is none.
   const char* stop_reason() const;
   ProgressState progress_state() const;

@@ -163,7 +163,10 @@ void Simulation::insert(std::span<const NewRock> rocks) {
 }
 
 void Simulation::feed_rock() {
-  if (feed_ && feed_->wants(time())) insert(feed_->due(time(), dem_->wall_poses(), dem_->particles()));
+  std::vector<NewRock> rocks;
+  if (feed_ && feed_->wants(time())) rocks = feed_->due(time(), dem_->wall_poses(), dem_->particles());
+  if (rocks.empty()) return ledger_.open(ledger_.energy());  // the state is that with which the window was closed
+  insert(rocks);
   open_balances();
 }
 

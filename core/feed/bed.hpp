@@ -4,7 +4,7 @@
 #include "core/base/hd.hpp"
 #include "core/math/vec3.hpp"
 
-#include <map>
+#include <cstdint>
 #include <vector>
 
 namespace gyro {
@@ -30,9 +30,9 @@ class Bed {
   struct Sphere {
     Vec3d centre;
     double radius;
-    Index next;  ///< in the same bucket
   };
   struct Level {
+    int number;      ///< its spheres have radii of up to 2^number [m]
     double cell;     ///< edge, twice the largest radius of the level [m]
     double largest;  ///< radius so far [m]
   };
@@ -43,12 +43,14 @@ class Bed {
   void visit_near(const Vec3d& centre, double radius, double gap, const Visit& visit) const;
   /// Number of cells that a search covers.
   double cells_near(double radius, double gap) const;
-  std::size_t bucket(int level, const Vec3<Index>& cell) const;
+  const Level& level_of(double radius) const;
+  std::size_t bucket(std::uint32_t hash) const { return (hash ^ (hash >> 15)) & (first_.size() - 1); }
   void link(Index sphere);
 
   std::vector<Sphere> spheres_;
   std::vector<Index> first_ = std::vector<Index>(1024, none);  ///< by bucket; a power of two of them
-  std::map<int, Level> levels_;
+  std::vector<Index> next_;                                    ///< by sphere: the next one in its bucket
+  std::vector<Level> levels_;                                  ///< from the largest to the smallest
 };
 
 }  // namespace gyro

@@ -24,6 +24,12 @@ double largest_radius_of(const RockLibrary& library) {
   return largest;
 }
 
+double largest_bounding_radius(const RockLibrary& library) {
+  double largest = 0;
+  for (const RockTemplate& rock : library.rocks) largest = std::max(largest, rock.bounding_radius);
+  return largest;
+}
+
 std::string in_mm(double length) {
   return std::to_string(1000 * length) + " mm";
 }
@@ -186,6 +192,7 @@ std::vector<NewRock> Feed::initial(std::span<const WallPose> poses, const Partic
 void Feed::charge(Bed& bed, std::vector<NewRock>& rocks) {
   const double before = fed_mass();
   double top = charge_->low();
+  BedSurface surface(charge_->bounds(), charge_->low(), 2 * largest_bounding_radius(library_));
   for (;;) {
     const Index kind = next_kind();
     const double charged = fed_mass() - before;
@@ -196,7 +203,8 @@ void Feed::charge(Bed& bed, std::vector<NewRock>& rocks) {
                   plan_.positions,
                   plan_.improvements,
                   0,
-                  std::min(top + 2 * reach, charge_->high())};
+                  std::min(top + 2 * reach, charge_->high()),
+                  &surface};
     std::optional<NewRock> rock = placed(*charge_, bed, search);
     if (!rock) {
       search.positions *= 20;
@@ -208,7 +216,10 @@ void Feed::charge(Bed& bed, std::vector<NewRock>& rocks) {
                      std::to_string(charge_->high()) + " m (placed " + std::to_string(charged) +
                      " kg); use less mass or a higher limit");
     }
-    for (const NewParticle& p : rock->particles) top = std::max(top, p.position.z);
+    for (const NewParticle& p : rock->particles) {
+      top = std::max(top, p.position.z);
+      surface.add(p.position, p.radius);
+    }
     rocks.push_back(std::move(*rock));
   }
 }

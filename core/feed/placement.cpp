@@ -52,6 +52,30 @@ double WallSet::distance(const Vec3d& point) const {
   return nearest;
 }
 
+BedSurface::BedSurface(const BoxRegion& bounds, double foot, double largest)
+    : low_(bounds.low),
+      foot_(foot),
+      cell_(largest),
+      along_x_(static_cast<int>((bounds.high.x - bounds.low.x) / largest) + 1),
+      along_y_(static_cast<int>((bounds.high.y - bounds.low.y) / largest) + 1),
+      top_(static_cast<std::size_t>(along_x_) * static_cast<std::size_t>(along_y_), foot) {}
+
+double BedSurface::floor(double x, double y) const {
+  const double top = top_[cell_of(x, y)];
+  return top - deep * cell_ > foot_ ? top - depth * cell_ : foot_;
+}
+
+void BedSurface::add(const Vec3d& centre, double radius) {
+  double& top = top_[cell_of(centre.x, centre.y)];
+  top = std::max(top, centre.z + radius);
+}
+
+std::size_t BedSurface::cell_of(double x, double y) const {
+  const int i = static_cast<int>(std::clamp((x - low_.x) / cell_, 0.0, along_x_ - 1.0)),
+            j = static_cast<int>(std::clamp((y - low_.y) / cell_, 0.0, along_y_ - 1.0));
+  return static_cast<std::size_t>(j) * static_cast<std::size_t>(along_x_) + static_cast<std::size_t>(i);
+}
+
 double Placement::raised(const Vec3d& centre, double radius) const {
   Vec3d p = centre;
   while (p.z < region_.high()) {
@@ -68,8 +92,8 @@ double Placement::raised(const Vec3d& centre, double radius) const {
   return never;
 }
 
-double Placement::lowest_height(const RockTemplate& rock, double x, double y, const Quatd& orientation,
-                                double limit) const {
+double Placement::lowest_height(const RockTemplate& rock, double x, double y, const Quatd& orientation, double limit,
+                                double floor) const {
   const std::size_t n = rock.centres.size();
   std::vector<Vec3d> arm(n);
   double foot = 0, top = 0;
@@ -78,7 +102,7 @@ double Placement::lowest_height(const RockTemplate& rock, double x, double y, co
     foot = std::min(foot, arm[k].z - rock.radii[k]);
     top = std::max(top, arm[k].z + rock.radii[k]);
   }
-  double z = region_.low() - foot;
+  double z = std::max(region_.low(), floor) - foot;
   const double highest = std::min(limit, region_.high() - top);
   // Cycle through the spheres until all are free at one height.
   for (std::size_t k = 0, free = 0; free < n; k = k + 1 < n ? k + 1 : 0) {
@@ -96,7 +120,8 @@ std::optional<RockPose> Placement::lowest(const RockTemplate& rock, const Search
   Draws draws{search.seed, search.rock, first, first};
   RockPose best{{0, 0, never}, {1, 0, 0, 0}};
   const auto offer = [&](double x, double y, const Quatd& orientation) {
-    const double z = lowest_height(rock, x, y, orientation, best.position.z);
+    const double floor = search.surface ? search.surface->floor(x, y) : -never;
+    const double z = lowest_height(rock, x, y, orientation, best.position.z, floor);
     const bool lower = z < best.position.z;
     if (lower) best = {{x, y, z}, orientation};
     return lower;

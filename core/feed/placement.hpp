@@ -8,6 +8,7 @@
 #include "core/rocks/rock_template.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -70,14 +71,38 @@ class FeedRegion {
   std::optional<RadiusByHeight> outer_, inner_;
 };
 
+/// Height of the rock that a charge has placed so far, by position. What lies deep below its surface is full, and to
+/// search it again for each rock would take a time in proportion to the height of the charge.
+class BedSurface {
+ public:
+  /// @param foot     of the charge [m]
+  /// @param largest  diameter of the largest rock [m]
+  BedSurface(const BoxRegion& bounds, double foot, double largest);
+  void add(const Vec3d& centre, double radius);
+  /// Height from which on a rock at (x, y) looks for room [m]: the foot, but `depth` diameters of the largest rock
+  /// below the surface where that is more than `deep` diameters above the foot.
+  double floor(double x, double y) const;
+
+  static constexpr double deep = 4, depth = 2;
+
+ private:
+  std::size_t cell_of(double x, double y) const;
+
+  Vec3d low_;
+  double foot_, cell_;
+  int along_x_, along_y_;    ///< number of cells
+  std::vector<double> top_;  ///< highest sphere of each cell [m]
+};
+
 /// Effort and random numbers of a search for a position.
 struct Search {
   std::uint64_t seed;
-  std::uint64_t rock;     ///< number of the rock, a key of the random draws
-  int positions;          ///< random positions
-  int improvements;       ///< small moves from the best
-  std::uint32_t attempt;  ///< number of earlier attempts; each draws other positions
-  double expected_top;    ///< positions are drawn between the region's foot and this height [m]
+  std::uint64_t rock;                   ///< number of the rock, a key of the random draws
+  int positions;                        ///< random positions
+  int improvements;                     ///< small moves from the best
+  std::uint32_t attempt;                ///< number of earlier attempts; each draws other positions
+  double expected_top;                  ///< positions are drawn between the region's foot and this height [m]
+  const BedSurface* surface = nullptr;  ///< of the charge; none: rocks look for room from the foot of the region on
 };
 
 /// Finds positions for rocks between spheres, walls and a region's bounds.
@@ -91,10 +116,12 @@ class Placement {
   /// position was free.
   std::optional<RockPose> lowest(const RockTemplate& rock, const Search& search) const;
 
-  /// Lowest free height of the rock's centre at (x, y), up to a limit [m]; infinite if there is none.
+  /// Lowest free height of the rock's centre at (x, y) with no sphere below `floor` (the region's foot where that is
+  /// higher), up to a limit [m]; infinite if there is none.
   /// Every sphere in the way raises the rock by the smallest amount that can free it, so no
   /// free height is missed (at walls: by no more than the gap).
-  double lowest_height(const RockTemplate& rock, double x, double y, const Quatd& orientation, double limit) const;
+  double lowest_height(const RockTemplate& rock, double x, double y, const Quatd& orientation, double limit,
+                       double floor = std::numeric_limits<double>::lowest()) const;
 
  private:
   double raised(const Vec3d& centre, double radius) const;

@@ -31,6 +31,28 @@ void WallDistance::make_profile(const ProfileShape& shape) {
     const double dr = b.r - a.r, dz = b.z - a.z;
     segments_.push_back({a.r, a.z, dr, dz, dr * dr + dz * dz, std::min(a.z, b.z), std::max(a.z, b.z)});
   }
+  if (!segments_.empty()) fill_slices();
+}
+
+/// Lists the segments by height. Slices overlap a little, so that rounding of a slice's number loses none.
+void WallDistance::fill_slices() {
+  constexpr int count = 256;
+  double low = segments_[0].low, high = segments_[0].high;
+  for (const Segment& s : segments_) {
+    low = std::min(low, s.low);
+    high = std::max(high, s.high);
+  }
+  const double margin = 1.01 * reach_, height = high - low + 2 * margin, slice = height / count, overlap = 0.01 * slice;
+  slices_.low = low - margin;
+  slices_.per_metre = count / height;
+  slices_.begin.assign(1, 0);
+  for (int n = 0; n < count; ++n) {
+    const double foot = slices_.low + n * slice - overlap, top = slices_.low + (n + 1) * slice + overlap;
+    for (std::size_t k = 0; k < segments_.size(); ++k)
+      if (segments_[k].high >= foot - reach_ && segments_[k].low <= top + reach_)
+        slices_.segment.push_back(static_cast<Index>(k));
+    slices_.begin.push_back(static_cast<Index>(slices_.segment.size()));
+  }
 }
 
 void WallDistance::make_mesh(const TriangleMesh& shape) {
@@ -87,11 +109,16 @@ double WallDistance::at(const WallPose& pose, const Vec3d& point) const {
 }
 
 double WallDistance::to_profile(const Vec3d& body) const {
-  const double r = std::sqrt(body.x * body.x + body.y * body.y), z = body.z;
+  const double z = body.z, at = (z - slices_.low) * slices_.per_metre;
+  const auto count = static_cast<double>(slices_.begin.size() - 1);
+  if (!(at >= 0 && at < count)) return std::sqrt(reach_ * reach_);
+  const double r = std::sqrt(body.x * body.x + body.y * body.y);
   double nearest2 = reach_ * reach_;
   double crossing = std::numeric_limits<double>::infinity();  // horizontal distance to the surface
   bool behind = false;
-  for (const Segment& s : segments_) {
+  const auto slice = static_cast<std::size_t>(at);
+  for (Index k = slices_.begin[slice]; k < slices_.begin[slice + 1]; ++k) {
+    const Segment& s = segments_[static_cast<std::size_t>(slices_.segment[static_cast<std::size_t>(k)])];
     if (s.low <= z && z < s.high) {
       // The segment nearest along the horizontal decides the side: rock is left of the direction of travel.
       const double way = s.r + (z - s.z) / s.dz * s.dr - r;

@@ -26,6 +26,11 @@ class WallDistance {
     double r, z, dr, dz, length2;
     double low, high;  ///< heights
   };
+  /// Segments that may be within reach of a slice of height, in their order.
+  struct Slices {
+    double low, per_metre;
+    std::vector<Index> begin, segment;
+  };
   struct Cells {
     Vec3d low;
     double size;
@@ -34,6 +39,7 @@ class WallDistance {
   };
 
   void make_profile(const ProfileShape& shape);
+  void fill_slices();
   void make_mesh(const TriangleMesh& shape);
   void fill_cells();
   double to_profile(const Vec3d& body) const;
@@ -42,6 +48,7 @@ class WallDistance {
   double reach_;
   PlaneShape plane_{};
   std::vector<Segment> segments_;
+  Slices slices_{};
   std::vector<FlatTriangle> triangles_;
   Cells cells_{};
 };

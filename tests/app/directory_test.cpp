@@ -156,3 +156,28 @@ TEST_CASE("Standard output has only the summary, and with --quiet it is empty") 
   CHECK(quiet.out.empty());
   CHECK(quiet.err.empty());
 }
+
+TEST_CASE("A run whose snapshots cannot be written any more ends with that reason") {
+  const Workplace place;
+  const Outcome outcome = place.shell(
+      "\"$GYROSIM\" run " + box +
+      " --set 'time.duration=10 h' --set 'output.snapshots=5 ms' --set output.checkpoints=0 --out r & run=$!; "
+      "until test -e r/snapshots/particles_000002.vtp; do sleep 0.02; done; mv r/snapshots away; wait $run");
+  CHECK(outcome.code == 5);
+  INFO(outcome.err);
+  CHECK(outcome.err.find("r/snapshots/particles_") != std::string::npos);
+  CHECK(outcome.err.find("No such file or directory") != std::string::npos);
+  const nlohmann::json summary = summary_of(place.path() / "r");
+  CHECK(summary["status"] == "failed");
+  CHECK(outcome.err.find(summary["reason"].get<std::string>()) != std::string::npos);
+  CHECK_FALSE(fs::exists(place.path() / "r/checkpoint.h5"));
+  // The index names the frames that were written.
+  std::size_t frames = 0;
+  const std::string index = read_text(place.path() / "r/particles.pvd");
+  for (std::size_t at = index.find("file="); at != std::string::npos; at = index.find("file=", at + 1)) ++frames;
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(place.path() / "away"))
+    files += entry.path().stem().string().starts_with("particles_") && entry.path().extension() == ".vtp" ? 1 : 0;
+  CHECK(frames >= 3);
+  CHECK(frames == files);
+}

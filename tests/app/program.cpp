@@ -30,7 +30,9 @@ Outcome Workplace::shell(const std::string& line) const {
 }
 
 Outcome Workplace::gyrosim_with_signal(const std::string& arguments, const std::string& signal, double seconds) const {
-  return call("timeout -s " + signal + " --preserve-status " + std::to_string(seconds) + " '" GYROSIM "' " + arguments);
+  // In the foreground, because otherwise timeout kills itself as well and returns before the killed program has ended.
+  return call("timeout --foreground -s " + signal + " --preserve-status " + std::to_string(seconds) +
+              " '" GYROSIM "' " + arguments);
 }
 
 Outcome Workplace::gyrosim_with_file_limit(const std::string& arguments, std::size_t bytes) const {

@@ -274,8 +274,11 @@ TEST_CASE("A resumed run that is killed or fails reports its figures, not zeros"
   REQUIRE(before["bonds_broken"] > 0);
   const bool by_kill = GENERATE(true, false);
   if (by_kill) {
-    for (double seconds = 0.2; summary_of(place.path() / "r")["status"] == "done" && seconds < 60; seconds *= 2)
-      REQUIRE(place.gyrosim_with_signal(run + "--resume --until '1 h'", "KILL", seconds).code == 137);
+    for (double seconds = 0.2; summary_of(place.path() / "r")["status"] == "done" && seconds < 60; seconds *= 2) {
+      const Outcome killed = place.gyrosim_with_signal(run + "--resume --until '1 h'", "KILL", seconds);
+      INFO(killed.err);
+      REQUIRE(killed.code == 137);
+    }
   } else {
     const auto size = fs::file_size(place.path() / "r/results.h5");
     const std::string flushed = run + "--set 'output.checkpoints=0.5 s' --resume --until '10 s'";

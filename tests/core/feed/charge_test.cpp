@@ -164,6 +164,19 @@ TEST_CASE("An initial charge lies dense and free of overlap between the liners",
   CHECK(dense >= 0.35);
 }
 
+TEST_CASE("A charge of many layers lies dense and free of overlap", "[feed]") {
+  const RockLibrary library = library_of(0.05, 0.06, 3, 3);
+  const std::vector<Wall> walls = chamber_walls();
+  const std::vector<NewRock> rocks = Feed(library, charge_plan(1000), walls).initial(rest);
+  double top = 0;
+  for (const NewRock& rock : rocks)
+    for (const NewParticle& p : rock.particles) top = std::max(top, p.position.z);
+  CHECK(top > 0.48);  // deep enough that rocks do not look for room from the foot on
+  CHECK(smallest_gap(rocks) >= 1e-4 * (1 - 1e-6));
+  CHECK(smallest_wall_gap(rocks, walls, rest) >= 1e-4 * (1 - 1e-6));
+  CHECK(solid_fraction(rocks, walls, 0.1, 0.8 * top) >= 0.35);
+}
+
 TEST_CASE("Equal seeds give equal charges, and different seeds different ones", "[feed]") {
   const RockLibrary library = library_of(0.15, 0.3, 3, 4);
   const std::vector<Wall> walls = chamber_walls();

@@ -157,3 +157,15 @@ TEST_CASE("A bed of spheres of very different sizes finds what a look at all of 
   }
   CHECK(bed.overlapped({1e7, -1e7, 1e7}, 1e-6).empty());
 }
+
+TEST_CASE("Rocks look for room from the foot of a charge, or from two diameters below where it is high", "[feed]") {
+  BedSurface surface({{-1, -1, 0.5}, {1, 1, 3}}, 0.5, 0.1);
+  CHECK(surface.floor(0, 0) == 0.5);
+  surface.add({0.05, 0.05, 0.88}, 0.01);
+  CHECK(surface.floor(0.05, 0.05) == 0.5);
+  surface.add({0.05, 0.05, 0.95}, 0.01);
+  surface.add({0.05, 0.05, 0.7}, 0.01);
+  CHECK(surface.floor(0.05, 0.05) == Approx(0.76).epsilon(1e-12));
+  CHECK(surface.floor(0.25, 0.05) == 0.5);
+  CHECK(surface.floor(7, -7) == 0.5);  // outside of the bounds
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace gyro {
+
+/// Does jobs in the order in which they are added, on a thread of its own, while the caller goes on. A job must own all
+/// that it reads. The thread starts with the first job.
+///
+/// The first job that fails is the last one that is done: those behind it are dropped, and each later call throws what
+/// it has thrown.
+class WriterThread {
+ public:
+  WriterThread() = default;
+  /// Waits until all jobs are done, without reporting failures. Normally finish() was called before.
+  ~WriterThread();
+  WriterThread(const WriterThread&) = delete;
+  WriterThread& operator=(const WriterThread&) = delete;
+
+  static constexpr std::size_t max_jobs = 2;  ///< that are not done, the one that is being done included
+
+  /// Waits while there are max_jobs.
+  void add(std::function<void()> job);
+  /// Waits until all jobs are done.
+  void finish();
+  /// Throws if a job has failed; does not wait.
+  void check();
+  /// Drops the jobs that have not begun.
+  void drop();
+
+ private:
+  void start();
+  void work();
+  void require_sound() const;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> jobs_;  ///< the first is being done, if the thread is busy
+  bool busy_ = false, over_ = false;
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+}  // namespace gyro
