@@ -18,21 +18,29 @@ std::string safety(double share) {
   return "time.safety=" + text_of(share);
 }
 
+const std::string one_rate = "numerics.hold=off";  // bonds and contacts take the same steps
+
+/// One rate.
 KnobSetting step(double share) {
-  return {.knob = "step", .value = text_of(share), .overrides = {safety(share)}};
+  return {.knob = "step", .value = text_of(share), .overrides = {safety(share), one_rate}};
 }
 
 KnobSetting step_in_double(double share) {
-  return {.knob = "step_double", .value = text_of(share), .overrides = {safety(share), "numerics.precision=double"}};
+  return {.knob = "step_double",
+          .value = text_of(share),
+          .overrides = {safety(share), one_rate, "numerics.precision=double"}};
 }
 
 KnobSetting substeps(int k) {
-  return {.knob = "substeps", .value = std::to_string(k), .overrides = {}, .hold = k};
+  return {.knob = "substeps", .value = std::to_string(k), .overrides = {one_rate}, .hold = k};
 }
 
 /// Contacts at the default step, bonds with k sub-steps in it.
 KnobSetting substeps_within(int k) {
-  return {.knob = "substeps_within", .value = std::to_string(k), .overrides = {safety(default_safety / k)}, .hold = k};
+  return {.knob = "substeps_within",
+          .value = std::to_string(k),
+          .overrides = {safety(default_safety / k), one_rate},
+          .hold = k};
 }
 
 /// Contacts at this share of their undamped limit, each rock with the sub-steps that its bonds need.
@@ -55,7 +63,8 @@ KnobSetting margin(double share) {
 KnobSetting reference(double divisor) {
   return {.knob = "reference",
           .value = text_of(default_safety / divisor),
-          .overrides = {safety(default_safety / divisor), "numerics.precision=double", "coupling.interval=50e-6"}};
+          .overrides = {safety(default_safety / divisor), one_rate, "numerics.precision=double",
+                        "coupling.interval=50e-6"}};
 }
 
 }  // namespace
@@ -67,15 +76,17 @@ std::vector<std::string> as_overrides(const KnobSetting& setting) {
 }
 
 KnobSetting default_setting() {
-  return step(default_safety);
+  return {.knob = "hold", .value = "0.5", .overrides = {}};
 }
 
 std::vector<KnobSetting> settings_of(const AccuracyScene& scene, bool quick) {
-  if (quick) return {default_setting(), step(default_safety / 2), substeps(2), hold(0.5), margin(0.2)};
-  std::vector<KnobSetting> all{default_setting(), step(0.9), step(0.35), step(0.175)};
+  if (quick)
+    return {default_setting(), hold(0.25), step(default_safety), step(default_safety / 2), substeps(2), margin(0.2)};
+  std::vector<KnobSetting> all{default_setting()};
+  for (const double share : {0.125, 0.25, 0.7, 0.9}) all.push_back(hold(share));
+  for (const double share : {0.9, default_safety, 0.35, 0.175}) all.push_back(step(share));
   all.push_back({.knob = "precision", .value = "double", .overrides = {"numerics.precision=double"}});
   for (const int k : {2, 4, 8}) all.push_back(substeps(k));
-  for (const double share : {0.125, 0.25, 0.5, 0.7, 0.9}) all.push_back(hold(share));
   if (scene.name == "platen") {
     for (const double share : {0.35, 0.175}) all.push_back(step_in_double(share));
     for (const int k : {2, 4}) all.push_back(substeps_within(k));

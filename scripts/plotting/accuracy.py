@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plotting.style import BAND, COLOURS, PlotError, plt, save
 
-MARKS = {"step": "o-", "step_double": "s--", "precision": "D", "substeps": "^:", "substeps_within": "v:", "window": "x-."}
+MARKS = {"hold": "P-", "step": "o-", "step_double": "s--", "precision": "D", "substeps": "^:", "substeps_within": "v:", "window": "x-."}
 NOTHING = 1e-3  # an error below this share of the noise is drawn as none
 DENSE = {"axes.titlesize": 8, "axes.labelsize": 7, "xtick.labelsize": 6, "ytick.labelsize": 6, "legend.fontsize": 7,
          "lines.linewidth": 1, "savefig.dpi": 120}
@@ -47,7 +47,7 @@ def left_edge(points):
 
 
 def draw_curve(axis, knob, points, edge):
-    if knob in ("step", "window"):
+    if knob in ("hold", "step", "window"):
         points = sorted(points, key=lambda p: p["value"])
     colour = COLOURS[list(MARKS).index(knob) % len(COLOURS)]
     errors = [max(p["error"], edge) for p in points]

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <limits>
 #include <memory>
 
 namespace gyro::bench {
@@ -57,12 +56,13 @@ std::unique_ptr<Simulation> made(const SpeedRun& run) {
   }
 }
 
-/// @return steps that were done: at least whole holds, so that they may be a few more than asked for
-std::int64_t advance(Simulation& simulation, int steps, bool whole_windows) {
+/// @param count  steps, or windows of the longest kind
+/// @return steps that were done
+std::int64_t advance(Simulation& simulation, int count, bool whole_windows) {
+  const std::int64_t steps = whole_windows ? std::int64_t{count} * simulation.setup().steps_per_window : count;
   std::int64_t done = 0;
   while (done < steps) {
-    const int longest = whole_windows ? std::numeric_limits<int>::max() : static_cast<int>(steps - done);
-    done += simulation.advance(longest).window.steps;
+    done += simulation.advance(static_cast<int>(steps - done)).window.steps;
     simulation.require_sound();
   }
   return done;

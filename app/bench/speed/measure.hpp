@@ -19,8 +19,8 @@ struct SpeedRun {
   std::vector<std::string> overrides = {};
   int threads = 1;
   Precision precision = Precision::mixed;
-  int warm_up = 0, timed = 0;  ///< steps
-  bool whole_windows = false;  ///< take more steps rather than end inside a window, whose end has a cost of its own
+  int warm_up = 0, timed = 0;  ///< steps, or windows
+  bool whole_windows = false;  ///< count windows in place of steps: their ends have a cost of their own
 };
 
 /// What was measured in the timed steps of a run.

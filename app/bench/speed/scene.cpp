@@ -35,14 +35,14 @@ std::span<const SpeedScene> speed_scenes() {
        .recipe = {.seed = 20243, .particles = usual_particles},
        .warm_up = 2000,
        .timed = 1000},
-      {.name = "Q", .title = "quickstart", .file = "quickstart.yaml", .warm_up = 24000, .timed = 9000},
-      {.name = "C", .title = "62-75 with 2 t", .file = "mkii-62-75/case.yaml", .warm_up = 1, .timed = 500},
+      {.name = "Q", .title = "quickstart", .file = "quickstart.yaml", .warm_up = 158, .timed = 60},
+      {.name = "C", .title = "62-75 with 2 t", .file = "mkii-62-75/case.yaml", .warm_up = 1, .timed = 2},
       {.name = "F",
        .title = "62-75 full, 18 t",
        .file = "mkii-62-75/case.yaml",
        .overrides = {"feed.initial=18 t"},
        .warm_up = 1,
-       .timed = 200,
+       .timed = 1,
        .asked_only = true},
   };
   return scenes;

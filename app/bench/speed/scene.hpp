@@ -17,8 +17,8 @@ struct SpeedScene {
   std::vector<std::string> overrides = {};           ///< of the case
   StartState (*make)(const StartRecipe&) = nullptr;  ///< null: the case has all that it needs
   StartRecipe recipe = {};                           ///< unless the command line asks for another
-  int warm_up = 0;                                   ///< steps before the clock starts
-  int timed = 0;            ///< steps while it runs; without a start state up to the end of the window
+  int warm_up = 0;                                   ///< steps before the clock starts; windows without a start state
+  int timed = 0;            ///< steps, or windows, while it runs
   bool asked_only = false;  ///< too long for a run of all scenes
 };
 
