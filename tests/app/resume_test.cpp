@@ -304,7 +304,7 @@ TEST_CASE("A signal or --max-walltime ends a run inside a window that takes long
   const bool by_signal = GENERATE(true, false);
   const Workplace place;
   const std::string run = box +
-                          "--set 'time.duration=20 s' --set 'coupling.interval=10 s' --set 'output.series=10 s' " +
+                          "--set 'time.duration=80 s' --set 'coupling.interval=40 s' --set 'output.series=40 s' " +
                           "--set 'output.snapshots=0 s' --out r ";
   const auto begin = std::chrono::steady_clock::now();
   // A second and a half after the run has its results file, however slow the machine is.
