@@ -126,8 +126,9 @@ ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, doubl
 }
 
 void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoice& step, std::optional<double> until) {
-  if (counts.steps <= max_steps) return;
-  const std::string found = "the run has " + in_words(counts.steps) + " steps, more than 1e15; ";
+  const double steps = counts.steps * step.most_substeps;
+  if (steps <= max_steps) return;
+  const std::string found = "the run has " + in_words(steps) + " steps, more than 1e15; ";
   const double end = until.value_or(input.time.duration);
   const double usual = std::min(input.time.safety * step.limit, 1e-3);  // the limit is infinite without rock
   if (end / usual <= max_steps) {

@@ -11,6 +11,13 @@
 namespace gyro {
 namespace {
 
+std::string hold_text(const StepChoice& step) {
+  if (step.most_substeps == 1) return {};
+  char text[80];
+  std::snprintf(text, sizeof text, ", contacts held for %.4g us", step.dt * 1e6);
+  return text;
+}
+
 constexpr double much_escaped = 1e-3;  // of the feed; more rock over the rim makes throughput and hold-up unreliable
 constexpr double hertz_overlap = 0.3;  // overlap / radius beyond which Hertz's law no longer describes the force
 
@@ -35,10 +42,10 @@ void RunLog::started(const Device& device, const StepChoice& step, const Simulat
   const Counts counts = simulation.dem().counts();
   char line[400];
   std::snprintf(
-      line, sizeof line, "gyrosim %s (%s), %s, %d %s, step %.4g us (limit %.4g us: %s), %lld particles, %lld bonds",
+      line, sizeof line, "gyrosim %s (%s), %s, %d %s, step %.4g us (limit %.4g us: %s)%s, %lld particles, %lld bonds",
       version::number, version::git, device.name.c_str(), device.threads, device.threads == 1 ? "thread" : "threads",
-      step.bond_step * 1e6, step.limit * 1e6, step.limited_by.c_str(), static_cast<long long>(counts.particles),
-      static_cast<long long>(counts.bonds_intact));
+      step.bond_step * 1e6, step.limit * 1e6, step.limited_by.c_str(), hold_text(step).c_str(),
+      static_cast<long long>(counts.particles), static_cast<long long>(counts.bonds_intact));
   log_.info(line);
   if (!quiet_) std::cerr << line << "\nresults in " << directory_.string() << "\n";
 }

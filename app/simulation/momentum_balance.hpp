@@ -13,7 +13,8 @@ namespace gyro {
 ///
 /// with F_walls the rock's mean force on all walls, M the mass of the rock, g gravity; world frame. The residual is
 /// zero up to rounding: forces between particles come in opposite pairs, and the walls' forces are those of their
-/// contacts.
+/// contacts. Between rocks with different sub-steps the ends of a window see half the difference of their sub-steps of
+/// a force that acts at that time.
 class MomentumBalance {
  public:
   /// What a checkpoint keeps.

@@ -51,6 +51,7 @@ Simulation::Simulation(Setup setup, std::unique_ptr<Dem> dem, std::optional<Driv
       ledger_(ledger_limits(setup_), wall_names(setup_.scene)),
       thin_walls_(setup_.scene) {
   state_.time_step = setup_.scene.dt;
+  state_.substeps = setup_.scene.substeps;
   state_.inspection_interval = setup_.inspection_interval;
   if (setup_.feed)
     blaming_part(SetupPart::feed,
@@ -283,6 +284,9 @@ void Simulation::restore(const SavedState& s) {
     throw BadInput("was written with a time step of " + std::to_string(state_.time_step * 1e6) + " us, not of " +
                    std::to_string(now.time_step * 1e6) +
                    " us; resume with the program and the input files that wrote it");
+  if (state_.substeps != now.substeps)
+    throw BadInput("was written with " + std::to_string(state_.substeps) + " sub-steps, not with " +
+                   std::to_string(now.substeps) + "; resume with the program and the input files that wrote it");
   if (state_.inspection_interval != now.inspection_interval) {  // the next inspection is the first one ahead
     const double interval = state_.inspection_interval = now.inspection_interval;
     state_.inspections = interval > 0 ? static_cast<std::int64_t>(std::floor(time() / interval * (1 + 1e-9))) : 0;

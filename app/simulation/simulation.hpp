@@ -106,6 +106,7 @@ class Simulation {
   /// What a checkpoint keeps besides the parts that keep their own.
   struct State {
     double time_step = 0, inspection_interval = 0;  ///< [s]
+    std::int32_t substeps = 1;                      ///< largest of a rock
     std::int64_t step = 0;
     std::int64_t inspections = 0;  ///< that were due so far
     std::int64_t particles_inserted = 0, bonds_inserted = 0, fragments = 0;
@@ -114,6 +115,7 @@ class Simulation {
     template <class F, class S>
     static constexpr void for_each_field(F&& f, S& s) {
       f("time_step", s.time_step);
+      f("substeps", s.substeps);
       f("inspection_interval", s.inspection_interval);
       f("step", s.step);
       f("inspections", s.inspections);

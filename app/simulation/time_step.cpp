@@ -98,7 +98,8 @@ class RockLimits {
   std::vector<Rock> bonded() const {
     std::vector<Rock> all;
     if (!setup_.scene.bonds) return all;
-    for (std::size_t k = 0; k < setup_.library.rocks.size(); ++k) all.push_back({&StepChoice::of_library, k});
+    for (std::size_t k = 0; k < setup_.library.rocks.size(); ++k)
+      if (!setup_.library.rocks[k].bonds.empty()) all.push_back({&StepChoice::of_library, k});
     for (std::size_t k = 0; k < setup_.start.size(); ++k)
       if (!setup_.start[k].bonds.empty()) all.push_back({&StepChoice::of_start, k});
     return all;
@@ -159,14 +160,18 @@ void check_sweep(double wanted, const Limit& sweep, double speed_ratio) {
   refuse_step(wanted, what.str(), sweep.step, "");
 }
 
+constexpr double most_steps = 1e9;  // of a window: they are counted in 32 bits
+
+[[noreturn]] void refuse_count(double window, double step, bool asked_for) {
+  std::ostringstream message;
+  message << "a coupling interval of " << window << " s has more than 1e9 steps of " << step << " s; "
+          << (asked_for ? "lengthen time.step or shorten coupling.interval" : "shorten coupling.interval");
+  throw BadInput(message.str());
+}
+
 /// Divides the window into steps of at most `wanted`.
 void divide(double window, double wanted, bool asked_for, StepChoice& choice) {
-  if (!(window / wanted <= 1e9)) {
-    std::ostringstream message;
-    message << "a coupling interval of " << window << " s has more than 1e9 steps of " << wanted << " s; "
-            << (asked_for ? "lengthen time.step or shorten coupling.interval" : "shorten coupling.interval");
-    throw BadInput(message.str());
-  }
+  if (!(window / wanted <= most_steps)) refuse_count(window, wanted, asked_for);
   choice.steps_per_window = static_cast<int>(std::ceil(window / wanted * (1 - 1e-9)));
   choice.dt = window / choice.steps_per_window;
 }
@@ -187,17 +192,27 @@ double held_share(const Scene& scene, const Rates& rates) {
 
 void check_hold(const StepChoice& choice, const Scene& scene, const Rates& rates) {
   const double maximum = held_share(scene, rates) * choice.contact_limit;
-  if (rates.substeps == 1 || choice.dt <= maximum) return;
+  if (choice.most_substeps == 1 || choice.dt <= maximum) return;
   std::ostringstream instead;
   instead << "which is " << std::max(1, static_cast<int>(maximum / choice.bond_step)) << " sub-steps of "
           << choice.bond_step << " s";
   refuse_hold(choice.dt, held_share(scene, rates), choice.contact_limit, instead.str());
 }
 
+/// A hold that is asked for must not be above what is allowed.
+void check_given(double hold, double allowed, const std::string& by) {
+  constexpr double rounding = 1 + 1e-9;
+  if (hold <= rounding * allowed) return;
+  std::ostringstream message;
+  message << "contact and wall forces would be held for " << hold << " s; at most " << allowed << " s is possible ("
+          << by << ")";
+  throw BadHold(message.str());
+}
+
 /// All rocks have the same sub-steps.
 void choose_uniform(const Setup& setup, const StepRequest& request, const RockLimits& rocks, Limit sweep,
                     StepChoice& choice) {
-  const int substeps = request.rates.substeps;
+  const int substeps = request.rates.kind == Rates::Kind::uniform ? request.rates.substeps : 1;
   Limit stable = rocks.loose(true);
   for (const RockLimits::Rock& rock : rocks.bonded()) stable.consider(rocks.of(rock, true));
   sweep.step /= substeps;
@@ -205,6 +220,10 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
   choice.limit = swept ? sweep.step : stable.step;
   choice.limited_by = swept ? sweep.by : stable.by;
   double wanted = std::min({request.safety * stable.step, sweep.step, request.window});
+  if (request.rates.kind == Rates::Kind::given) {  // of a scene without bonds
+    check_given(request.rates.hold, request.safety * stable.step, stable.by);
+    wanted = std::min(wanted, request.rates.hold);
+  }
   if (request.step) {
     wanted = *request.step;
     check_step(wanted, stable, request.safety);
@@ -221,19 +240,17 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
 /// The longest step of the scene that contacts and walls allow, or the one that is asked for.
 void choose_hold(const Setup& setup, const StepRequest& request, const Limit& undamped, const Limit& sweep,
                  StepChoice& choice) {
-  const double allowed = held_share(setup.scene, request.rates) * undamped.step;
+  const double reserve = std::min(1.0, request.safety / StepRequest{}.safety);  // the usual one is in the share
+  const double allowed = reserve * held_share(setup.scene, request.rates) * undamped.step;
   double hold = std::min({allowed, sweep.step, request.window});
   choice.hold_limited_by = hold == allowed ? undamped.by : hold == sweep.step ? sweep.by : "the coupling interval";
   if (request.rates.kind == Rates::Kind::given) {
-    constexpr double rounding = 1 + 1e-9;
+    check_given(request.rates.hold, allowed, undamped.by);
+    check_given(request.rates.hold, sweep.step, sweep.by);
     hold = request.rates.hold;
     choice.hold_limited_by = "numerics.hold";
-    if (hold > rounding * allowed) {
-      std::ostringstream instead;
-      instead << "which is " << allowed << " s (" << undamped.by << ")";
-      refuse_hold(hold, held_share(setup.scene, request.rates), undamped.step, instead.str());
-    }
-    check_sweep(hold, sweep, setup.scene.limits.speed_ratio);
+    if (!(request.window / hold <= most_steps))
+      throw BadHold("a coupling interval has more than 1e9 holds of this length; lengthen it");
   }
   divide(request.window, hold, request.step.has_value(), choice);
 }
@@ -251,6 +268,7 @@ void choose_substeps(const Setup& setup, const StepRequest& request, const RockL
     stiffest.consider(alone);
     if (request.step) check_step(*request.step, alone, request.safety);
     const double step = std::min(request.safety * alone.step, request.step.value_or(1e300));
+    if (!(request.window / step <= most_steps)) refuse_count(request.window, step, request.step.has_value());
     int substeps = std::max(1, static_cast<int>(std::ceil(choice.dt / step * (1 - 1e-9))));
     if (substeps == 1 && choice.dt > request.safety * rocks.of(rock, true).step) substeps = 2;
     (choice.*rock.place)[rock.k] = substeps;
@@ -280,7 +298,7 @@ StepChoice choose_step(const Setup& setup, const StepRequest& request) {
   const Limit undamped = rocks.loose(false);
   StepChoice choice;
   choice.contact_limit = undamped.step;
-  if (request.rates.kind == Rates::Kind::uniform || !setup.scene.bonds) {
+  if (request.rates.kind == Rates::Kind::uniform || rocks.bonded().empty()) {
     choose_uniform(setup, request, rocks, sweep, choice);
   } else {
     choose_hold(setup, request, undamped, sweep, choice);

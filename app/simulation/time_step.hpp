@@ -67,7 +67,8 @@ double smallest_radius(const RockLibrary& library, std::span<const NewRock> star
 /// forces that are held act as a leapfrog of contacts with the longer step, and their dashpots are capped
 /// (core/laws/contact/dashpots.hpp).
 ///
-/// A scene without bonds has the steps of Rates::uniform.
+/// `safety` below its default reduces that share in proportion. A scene without bonded rock has the steps of
+/// Rates::uniform, and a given step of the scene is then the largest of all.
 ///
 /// No wall of given motion may move by more than scene.limits.speed_ratio of the smallest radius in a step of the
 /// scene; walls that a drivetrain moves are checked by the ledger.

@@ -88,7 +88,8 @@ void DemSolver<Exec, Real>::advance_large_rock(const Large& rock, Kernel kernel)
 
 template <class Exec, class Real>
 Move DemSolver<Exec, Real>::move() {
-  const double allowed = lists_.allowed_distance();
+  // Walls are seen half a step earlier by particles with sub-steps.
+  const double allowed = larger(lists_.allowed_distance() - (held() ? 0.5 * walls_.largest_step() : 0), 0.0);
   return {.p = rock_.view(),
           .dt = scene_.dt,
           .allowed2 = allowed * allowed,

@@ -78,8 +78,8 @@ class WallAccounts {
     for (std::size_t w = 0; w < sums_.size(); ++w) {
       const Vec3d force = cast<double>(sums_[w].force), torque = cast<double>(sums_[w].torque);
       const WallPose& pose = poses[w];
-      sums_[w].work = -quanta(dot(force, pose.velocity) +
-                              dot(torque - cross(pose.origin, force), pose.angular_velocity));
+      sums_[w].work =
+          -quanta(dot(force, pose.velocity) + dot(torque - cross(pose.origin, force), pose.angular_velocity));
     }
   }
   /// Forgets what has been booked: no time has passed.

@@ -19,9 +19,9 @@ struct StiffestContacts {
   }
 };
 
-/// Compares the step with the stability limit of what a particle touches, whose stiffnesses are added up as the choice of
-/// the step assumes them of a bed: each averaged over directions, twice for a partner that moves in counterphase, once
-/// for a wall; of translations and rotations the stiffer.
+/// Compares the step with the stability limit of what a particle touches, whose stiffnesses are added up as the choice
+/// of the step assumes them of a bed: each averaged over directions, twice for a partner that moves in counterphase,
+/// once for a wall; of translations and rotations the stiffer.
 ///
 ///   w^2 = (2 sum over partners + sum over walls) max((S_n + 2 S_t)/3, 2/3 S_t m R^2/I) / m
 ///   limit = sqrt(4 - 2 b)/w,  b = min(beta, 2 H Q/m)     H the step, beta and Q as in largest_dashpot()
@@ -67,7 +67,7 @@ struct FindStiffestContacts {
     constants.unloading = static_cast<double>(law.unloading);
     const ContactStiffness s = contact_stiffness(model, constants, radius, static_cast<double>(history.overlap));
     constexpr double spin = 2.5;  // m R^2/I of a sphere
-    return larger(s.normal + 2 * s.tangential, 2 * spin * s.tangential) / 3;
+    return larger(s.normal / s.margin + 2 * s.tangential, 2 * spin * s.tangential) / 3;
   }
 };
 

@@ -10,8 +10,9 @@
 namespace gyro {
 
 /// Contact of a particle with a rigid wall: force into the entry's own slot, load of the wall into
-/// the entry's exact sums. Half of the last step's load of a window acts in the next one's first half kick:
-/// work, impulse and angular impulse of a window are those that the rock has felt in it.
+/// the entry's exact sums. Half of the last sub-step's load of a window acts in the next one's first half kick:
+/// work, impulse and angular impulse of a window are those that the rock has felt in it. (Angular impulse of a particle
+/// with sub-steps: but for the wall's motion in half a step, 5e-6 of it in a crusher.)
 ///
 /// A kernel for Exec::for_each_picked: entries are looked at one by one, and those that touch in one place, which
 /// nearly all do, are evaluated several at a time. Several touches, and laws that keep ExtraHistory, are evaluated as

@@ -23,8 +23,8 @@ struct BedContacts {
 /// Largest stable step [s] of the leapfrog map v += dt M^-1 (-K x - C v), x += dt v of the rock, linearised
 /// at rest, with all bonds intact: the smallest dt at which 4 M - 2 dt C - dt^2 K is singular. The largest mode of
 /// M^-1 (dt^2 K + 2 dt C), 6 degrees of freedom a particle, is iterated to a residual of 1e-5, without matrices. The
-/// error of the step is below 1e-4, and mostly below 1e-7. Iterated from one random vector, the mode could be one beside
-/// the largest; with 120 rocks in two beds, compared with a dense solver, it never was.
+/// error of the step is below 1e-4, and mostly below 1e-7. Iterated from one random vector, the mode could be one
+/// beside the largest; with 120 rocks in two beds, compared with a dense solver, it never was.
 ///
 /// The bed's part of 2 dt C, 2 dt c/m of each degree of freedom, is min(2 dt c/m, 2 damping_cap).
 ///

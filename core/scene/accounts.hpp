@@ -100,9 +100,9 @@ struct Extremes {
   ParticleId fastest_rotating = 0;  ///< of the largest rotation
   double bond_rotation = 0;         ///< largest rotation of a bond's ends, only where it passed its limit [rad]
   ParticleId twisted = 0;           ///< one end of that bond
-  double contact_step = 0;         ///< largest step / stability limit of what a particle touches [-]
-  ParticleId crowded = 0;          ///< of the largest contact_step
-  std::int32_t crowd = 0;          ///< number of its contacts
+  double contact_step = 0;          ///< largest step / stability limit of what a particle touches [-]
+  ParticleId crowded = 0;           ///< of the largest contact_step
+  std::int32_t crowd = 0;           ///< number of its contacts
   double wall_step = 0;    ///< largest distance that a wall moves in a step / smallest radius, 0 for planes [-]
   Index fast_wall = none;  ///< of the largest wall_step
 };

@@ -29,7 +29,8 @@ struct NewRock {
   std::vector<NewParticle> particles;
   std::vector<NewBond> bonds;
   std::vector<Index> colour_begin;
-  int substeps = 0;  ///< steps of its bonds in a step of the scene, during which other forces are held; 0: Scene::substeps
+  int substeps =
+      0;  ///< steps of its bonds in a step of the scene, during which other forces are held; 0: Scene::substeps
 };
 
 }  // namespace gyro

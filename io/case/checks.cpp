@@ -317,6 +317,13 @@ void check_run(const Setting& root, CaseProblems& log) {
   const Setting* interval = root.find("coupling.interval");
   if (step != nullptr && !step->numbers.empty() && interval != nullptr && step->numbers[0] > interval->numbers[0])
     log.add(step->mark, "time.step is longer than coupling.interval; reduce it to coupling.interval or less");
+  const Setting* hold = root.find("numerics.hold");
+  if (hold != nullptr && !hold->numbers.empty()) {
+    if (interval != nullptr && hold->numbers[0] > interval->numbers[0])
+      log.add(hold->mark, "numerics.hold is longer than coupling.interval; reduce it to coupling.interval or less");
+    if (root.number("numerics.substeps") > 1)
+      log.add(hold->mark, "numerics.hold and numerics.substeps above 1 contradict each other; give one of them");
+  }
   const Setting* bonds = root.find("particles.bonds");
   if (bonds != nullptr && root.lacks("bonds"))
     log.add(bonds->mark, "particles.bonds needs the section bonds; add it with the stiffness and strengths");

@@ -22,10 +22,11 @@ const std::vector<Key> identity_keys = {
     {.path = "time.duration", .type = quantity, .dimension = Dimension::time, .required = true, .range = positive,
      .doc = "Simulated time of the run."},
     {.path = "time.step", .type = quantity, .dimension = Dimension::time, .fallback = "auto", .range = positive, .words = "auto",
-     .doc = "Largest time step of bonds; auto: safety times their stability limit with damping, rounded down so that the hold of contacts "
+     .doc = "Largest time step of bonds, and of all without bonds; auto: safety times their stability limit with damping, rounded down so that the hold of contacts "
             "is a whole number of steps; a number must not exceed safety times that limit."},
     {.path = "time.safety", .type = quantity, .fallback = "0.7", .range = {.low = 0, .high = 1, .low_open = true},
-     .doc = "Largest time step / stability limit with damping; with a value near 1 the bonds of breaking rock become unstable."},
+     .doc = "Largest time step / stability limit with damping; below 0.7 the hold of contacts is reduced in proportion. With a value near 1 the "
+            "bonds of breaking rock become unstable."},
 };
 
 const std::vector<Key> material_keys = {
@@ -241,10 +242,11 @@ const std::vector<Key> run_keys = {
      .doc = "mixed: positions and velocities in double precision, laws in single precision; double: everything in double precision."},
     {.path = "numerics.hold", .type = quantity, .dimension = Dimension::time, .fallback = "auto", .range = positive, .words = "auto|off",
      .doc = "Time for which contact and wall forces are kept constant while the bonds of each rock take as many steps as they need; "
-            "auto: half the undamped stability limit of contacts, rounded down so that coupling.interval is a whole number of holds; "
-            "a number must not exceed that half. off: bonds and contacts take the same steps."},
+            "auto: half the undamped stability limit of contacts (0.35 of it with bonds.damping below 0.01; less in proportion with time.safety "
+            "below 0.7), rounded down so that coupling.interval is a whole number of holds; a number must not exceed that share. "
+            "off, and auto with numerics.substeps above 1 or without bonds: bonds and contacts take the same steps."},
     {.path = "numerics.substeps", .type = integer, .fallback = "1", .range = {.low = 1, .high = 16},
-     .doc = "Above 1, instead of numerics.hold: number of bond steps, the same for all rocks, during which contact and wall forces are "
+     .doc = "Above 1, in place of numerics.hold: number of bond steps, the same for all rocks, during which contact and wall forces are "
             "kept constant; this number times the time step must be less than half the undamped stability limit of contacts."},
 
     {.path = "particles", .doc = "Start state from files, instead of a feed or in addition to it."},

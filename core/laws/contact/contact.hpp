@@ -86,6 +86,7 @@ struct ContactStiffness {
   double normal, tangential;  ///< [N/m]
   double rolling;             ///< [N m/rad]
   double damping;             ///< c/(2 sqrt(S m*)), normal and tangential [-]
+  double margin;              ///< normal is so many times the largest of the spring, so that a step resolves it [-]
 };
 
 /// A remembered vector laid into the present tangent plane at equal size: the contact has rolled along.

@@ -63,7 +63,7 @@ struct ContactLaw {
     if constexpr (Rolling::has_spring)
       rolling = Rolling::stiffness(law, radius, Normal::stiffness(law, radius, overlap));
     return {Normal::max_stiffness(law, radius, overlap), Normal::tangential_stiffness(law, radius, overlap), rolling,
-            Normal::damping_ratio(law)};
+            Normal::damping_ratio(law), Normal::margin};
   }
 };
 

@@ -22,6 +22,8 @@ inline constexpr double spin_share = 3.5;
 /// by Cauchy and Schwarz, and the springs' stable step falls to sqrt(4 - 2 beta) over their frequency. The cap scales
 /// a pair of opposite forces, so momentum is exact. Where damping was resolved before, nothing changes.
 ///
+/// Rolling resistance is not part of the bound.
+///
 /// Q is that of the last evaluation, with the q of this contact replaced by what it is now; the q of other contacts
 /// lag by one evaluation.
 ///

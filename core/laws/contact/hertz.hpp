@@ -17,6 +17,7 @@ namespace gyro {
 /// for the form of the damping.
 struct Hertz {
   static constexpr bool keeps_extra_history = false, has_hysteresis = false;
+  static constexpr double margin = 1;  ///< as ContactStiffness::margin
 
   /// @param c  kinematics; c.overlap > 0
   template <class T>

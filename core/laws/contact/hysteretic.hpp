@@ -21,6 +21,7 @@ namespace gyro {
 /// with a constant k2.
 struct Hysteretic {
   static constexpr bool keeps_extra_history = true, has_hysteresis = true;
+  static constexpr double margin = 16;  ///< as ContactStiffness::margin
 
   /// @param c  kinematics; c.overlap > 0
   template <class T>
@@ -49,7 +50,7 @@ struct Hysteretic {
   }
   template <class T>
   GYRO_HD static T max_stiffness(const ContactConstants<T>& law, T radius, T) {
-    return T(16) * law.unloading * loading_stiffness(law, radius);
+    return T(margin) * law.unloading * loading_stiffness(law, radius);
   }
   template <class T>
   GYRO_HD static T tangential_stiffness(const ContactConstants<T>& law, T radius, T) {

@@ -77,8 +77,8 @@ GYRO_HD T contact_energy(ContactModel model, const ContactConstants<T>& constant
 
 /// What the contact asks of the step.
 /// @param radius  R* [m]
-GYRO_HD inline ContactStiffness contact_stiffness(ContactModel model, const ContactConstants<double>& constants, double radius,
-                                          double overlap) {
+GYRO_HD inline ContactStiffness contact_stiffness(ContactModel model, const ContactConstants<double>& constants,
+                                                  double radius, double overlap) {
   return with_contact_law(model, contact_detail::StiffnessOf{constants, radius, overlap});
 }
 
