@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -59,12 +60,13 @@ PosedWall posed(const WallPicture& picture, const WallPose& pose) {
 }  // namespace
 
 RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
-                     const std::filesystem::path& directory, const SavedState* saved)
+                     const std::filesystem::path& directory, RequireOwn require_own, const SavedState* saved)
     : input_(input),
       assembly_(assembly),
       state_(saved ? saved->get_one<State>("output") : State{}),
       rows_(input, output_form(input, assembly)),
       maps_(input, assembly),
+      require_own_(std::move(require_own)),
       results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_marks(*saved))
                      : ResultsFile(directory / "results.h5", content(record))),
       snapshots_(directory, state_.snapshot_times) {
@@ -126,24 +128,33 @@ void RunOutput::write_row(const Simulation& simulation) {
 
 /// Gives the writer a frame that owns its data.
 void RunOutput::write_snapshot(const Simulation& simulation) {
+  writer_.wait_for_room();
   const auto frame = std::make_shared<Frame>();
   frame->time = simulation.time();
   frame->particles = simulation.dem().particles();
   if (input_.bonds) frame->bonds = simulation.dem().bonds();
-  const std::vector<WallPose> poses = simulation.dem().wall_poses();
-  for (const WallPicture& picture : assembly_.pictures) {
-    const auto number = static_cast<std::size_t>(picture.wall);
-    PosedWall wall = posed(picture, poses[number]);
-    wall.loads = maps_.loads(picture.wall);
-    const bool same = std::holds_alternative<Fixed>(assembly_.setup.scene.walls[number].motion) && !wall.loads;
-    (same ? frame->fixed : frame->walls).push_back(std::move(wall));
-  }
+  add_walls(*frame, simulation);
   writer_.add([this, frame] {
+    require_own_();
     snapshots_.write_fixed(frame->fixed);
     snapshots_.write({frame->time, &frame->particles, frame->bonds ? &*frame->bonds : nullptr, frame->walls});
   });
   state_.snapshot_times.push_back(frame->time);
   ++state_.frames;
+}
+
+void RunOutput::add_walls(Frame& frame, const Simulation& simulation) {
+  const std::vector<WallPose> poses = simulation.dem().wall_poses();
+  for (const WallPicture& picture : assembly_.pictures) {
+    const auto number = static_cast<std::size_t>(picture.wall);
+    std::optional<WallLoads> loads = maps_.loads(picture.wall);
+    const bool same = std::holds_alternative<Fixed>(assembly_.setup.scene.walls[number].motion) && !loads;
+    if (same && fixed_given_) continue;
+    PosedWall wall = posed(picture, poses[number]);
+    wall.loads = std::move(loads);
+    (same ? frame.fixed : frame.walls).push_back(std::move(wall));
+  }
+  fixed_given_ = true;
 }
 
 double RunOutput::wall_seconds() const {
@@ -181,6 +192,7 @@ void RunOutput::close(Simulation& simulation) {
 
 void RunOutput::sync() {
   writer_.finish();
+  require_own_();
   results_.sync();
 }
 

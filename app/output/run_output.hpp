@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,10 +24,14 @@ namespace gyro {
 /// by the thread of the run alone, because its library is not safe for threads.
 class RunOutput {
  public:
+  /// Throws if the directory is another run's now. It is called by the thread that writes snapshots, before each,
+  /// and by sync().
+  using RequireOwn = std::function<void()>;
+
   /// @param saved  state of the output of a resumed run, otherwise null; later rows and snapshots are removed
   /// @throws BadInput if the directory lacks output that was written before the saved state
   RunOutput(const Case& input, const Assembly& assembly, const CaseRecord& record,
-            const std::filesystem::path& directory, const SavedState* saved = nullptr);
+            const std::filesystem::path& directory, RequireOwn require_own, const SavedState* saved = nullptr);
 
   /// Writes what there is at the start: the snapshot, if the case asks for snapshots, and rock that lies outside.
   void begin(Simulation& simulation);
@@ -35,10 +40,9 @@ class RunOutput {
   void take(const WindowResult& result, const Simulation& simulation);
   /// Saves the state that a resumed run needs, between two windows.
   void save(SavedState& to) const;
-  /// Waits until all snapshots are written and the disk has all rows: a checkpoint must never be ahead of them.
+  /// Waits until all snapshots are written and the disk has all rows: a checkpoint must never be ahead of them. Throws
+  /// if the directory is another run's now.
   void sync();
-  /// Forgets snapshots that have not been begun, in a directory that is another run's now.
-  void drop_snapshots() { writer_.drop(); }
   double earlier_seconds() const { return state_.wall_seconds; }  ///< wall clock of the run's earlier parts [s]
   /// Whether windows were left out, or the present state is not finite.
   bool lost(const Simulation& simulation);
@@ -74,12 +78,15 @@ class RunOutput {
     }
   };
 
-  /// A snapshot with all that its files need.
+  /// A snapshot with all that its files need: 124 bytes a particle and 32 a bond, and the moved walls. At most two
+  /// exist: one that is written, for which its writer has one file at a time as 32-bit numbers as well, and one that
+  /// waits or is being made.
   struct Frame {
     double time;  ///< [s]
     ParticleSnapshot particles;
     std::optional<BondSnapshot> bonds;
-    std::vector<PosedWall> walls, fixed;
+    std::vector<PosedWall> walls;
+    std::vector<PosedWall> fixed;  ///< only in the first frame of this process
   };
 
   ResultsContent content(const CaseRecord& record) const;
@@ -87,13 +94,16 @@ class RunOutput {
   void note_drive(const WindowResult& result, const Simulation& simulation);
   void write_row(const Simulation& simulation);
   void write_snapshot(const Simulation& simulation);
+  void add_walls(Frame& frame, const Simulation& simulation);
 
   const Case& input_;
   const Assembly& assembly_;
   State state_;
   RowWriter rows_;
   LinerMaps maps_;
-  bool lost_ = false;  ///< a number was not finite
+  RequireOwn require_own_;
+  bool lost_ = false;         ///< a number was not finite
+  bool fixed_given_ = false;  ///< the writer has the walls that are the same in all frames
   GyrationReader gyrations_;
   MotorRows motor_;
   ResultsFile results_;

@@ -27,7 +27,8 @@ CaseRun::CaseRun(const Case& input, const RunOptions& options, const SavedState*
       simulation_(simulation_of(saved)),
       directory_(open_run_directory(options.directory)),
       log_(directory_.path, options.quiet),
-      output_(input, assembly_, record(), directory_.path, saved),
+      output_(
+          input, assembly_, record(), directory_.path, [this] { require_own_directory(); }, saved),
       checkpoints_(directory_.path, input) {
   if (saved != nullptr) log_.resumed(*simulation_, writer_of(*saved));
   log_.notes(assembly_.notes);
@@ -132,7 +133,7 @@ void CaseRun::loop(Summary& summary) {
     output_.take(simulation.advance(), simulation);
     log_.drive_events(simulation);
     simulation.require_sound();
-    if (directory_.lock && directory_.lock->lost()) leave_directory();
+    require_own_directory();
     checkpoints_.keep_if_due(simulation, output_);
     progress.update(progress_state());
     if (const char* reason = stop_reason()) {
@@ -145,9 +146,9 @@ void CaseRun::loop(Summary& summary) {
   checkpoints_.write(simulation, output_);
 }
 
-void CaseRun::leave_directory() {
-  output_.drop_snapshots();
-  throw OutputError(directory_.path.string() + ": another run has taken this directory while this one was suspended");
+void CaseRun::require_own_directory() const {
+  if (directory_.lock && directory_.lock->lost())
+    throw OutputError(directory_.path.string() + ": another run has taken this directory while this one was suspended");
 }
 
 const char* CaseRun::stop_reason() const {
@@ -228,6 +229,7 @@ Summary with_known_figures(const Summary& s, const Case& input, const Assembly& 
 
 /// Records a failure in the directory, if it can still be written.
 void CaseRun::fail(Summary& s, const std::string& reason) const {
+  if (directory_.lock && directory_.lock->lost()) return;  // the summary there is another run's
   s.status = RunStatus::failed;
   s.reason = reason;
   s.simulated_seconds = simulation_->time();

@@ -48,7 +48,8 @@ class CaseRun {
   /// Whether the window must be given up: somebody asks to stop and its end is far. @param share_done  of its steps
   bool must_give_up(double share_done) const;
   void give_up(Summary& summary);
-  [[noreturn]] void leave_directory();  ///< to another run
+  /// @throws OutputError if another run has taken the directory; also for the thread that writes snapshots
+  void require_own_directory() const;
   /// Reason why the run must stop before its end; null if there is none.
   const char* stop_reason() const;
   ProgressState progress_state() const;

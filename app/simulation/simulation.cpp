@@ -166,7 +166,12 @@ void Simulation::insert(std::span<const NewRock> rocks) {
 void Simulation::feed_rock() {
   std::vector<NewRock> rocks;
   if (feed_ && feed_->wants(time())) rocks = feed_->due(time(), dem_->wall_poses(), dem_->particles());
-  if (rocks.empty()) return ledger_.open(ledger_.energy());  // the state is that with which the window was closed
+  if (rocks.empty()) {
+    // The state is the one with which the window was closed: the ledger takes that energy again in place of a sum over
+    // all particles. The momentum balance has kept that momentum and needs nothing.
+    ledger_.open(ledger_.energy());
+    return;
+  }
   insert(rocks);
   open_balances();
 }

@@ -13,7 +13,7 @@
 
 namespace gyro {
 
-/// Threads that wait for short jobs: the only threads that compute. A step of a small scene is three jobs of some 50
+/// Threads that wait for short jobs: they compute all steps of a run. A step of a small scene is three jobs of some 50
 /// us, so that the wait between them decides: a thread looks for the next job for about 150 us, longer than a job that
 /// is too small to share, then sleeps. OpenMP's barriers either always sleep (waking up costs more than the job) or
 /// look for milliseconds, which made a run on a busy machine six times slower with two threads than with one.

@@ -209,6 +209,7 @@ void Feed::charge(Bed& bed, std::vector<NewRock>& rocks) {
     if (!rock) {
       search.positions *= 20;
       search.expected_top = charge_->high();
+      search.surface = nullptr;  // room may be left deep below the surface
       rock = placed(*charge_, bed, search);
     }
     if (!rock) {

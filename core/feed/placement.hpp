@@ -71,16 +71,19 @@ class FeedRegion {
   std::optional<RadiusByHeight> outer_, inner_;
 };
 
-/// Height of the rock that a charge has placed so far, by position. What lies deep below its surface is full, and to
-/// search it again for each rock would take a time in proportion to the height of the charge.
+/// Height of the rock that a charge has placed so far, in square cells as wide as the largest rock. What lies deep
+/// below the surface is nearly full, and to search it again for each rock would take a time in proportion to the
+/// height of the charge. Small rocks no longer reach holes there, so that a charge of widely distributed sizes may be
+/// emptier below (README.md has what was measured).
 class BedSurface {
  public:
   /// @param foot     of the charge [m]
   /// @param largest  diameter of the largest rock [m]
   BedSurface(const BoxRegion& bounds, double foot, double largest);
   void add(const Vec3d& centre, double radius);
-  /// Height from which on a rock at (x, y) looks for room [m]: the foot, but `depth` diameters of the largest rock
-  /// below the surface where that is more than `deep` diameters above the foot.
+  /// Height from which on a rock at (x, y) looks for room [m], with the diameter d of the largest rock: where the
+  /// highest sphere of the cell ends more than deep * d above the foot, depth * d below that sphere's end; else the
+  /// foot.
   double floor(double x, double y) const;
 
   static constexpr double deep = 4, depth = 2;

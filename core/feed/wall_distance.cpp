@@ -111,7 +111,7 @@ double WallDistance::at(const WallPose& pose, const Vec3d& point) const {
 double WallDistance::to_profile(const Vec3d& body) const {
   const double z = body.z, at = (z - slices_.low) * slices_.per_metre;
   const auto count = static_cast<double>(slices_.begin.size() - 1);
-  if (!(at >= 0 && at < count)) return std::sqrt(reach_ * reach_);
+  if (!(at >= 0 && at < count)) return std::sqrt(reach_ * reach_);  // the bits of a wall out of reach, as below
   const double r = std::sqrt(body.x * body.x + body.y * body.y);
   double nearest2 = reach_ * reach_;
   double crossing = std::numeric_limits<double>::infinity();  // horizontal distance to the surface

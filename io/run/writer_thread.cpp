@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/run/writer_thread.hpp"
 
-#include <signal.h>
-
+#include <system_error>
 #include <utility>
 
 namespace gyro {
 namespace {
 
-/// Blocks all signals for the threads that are started meanwhile: a signal belongs to the thread that runs the case.
-class NoSignals {
- public:
-  NoSignals() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+/// Does a job and frees what it owns. @returns what it has thrown
+std::exception_ptr failure_of(std::function<void()> job) {
+  try {
+    job();
+    return {};
+  } catch (...) {
+    return std::current_exception();
   }
-  ~NoSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  NoSignals(const NoSignals&) = delete;
-  NoSignals& operator=(const NoSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
+}
 
 }  // namespace
 
@@ -36,61 +29,69 @@ WriterThread::~WriterThread() {
   thread_.join();
 }
 
+void WriterThread::wait_for_room() {
+  Lock lock(mutex_);
+  wait_for_room(lock);
+}
+
 void WriterThread::add(std::function<void()> job) {
-  if (!thread_.joinable()) start();
+  const bool alone = !thread_.joinable() && !start();
   {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return failure_ || jobs_.size() < max_jobs; });
-    require_sound();
-    jobs_.push_back(std::move(job));
+    Lock lock(mutex_);
+    wait_for_room(lock);
+    if (!alone) jobs_.push_back(std::move(job));
   }
-  changed_.notify_all();
+  if (alone)
+    note(failure_of(std::move(job)));
+  else
+    changed_.notify_all();
 }
 
 void WriterThread::finish() {
-  std::unique_lock lock(mutex_);
+  Lock lock(mutex_);
   changed_.wait(lock, [this] { return jobs_.empty(); });
   require_sound();
 }
 
 void WriterThread::check() {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   require_sound();
 }
 
-void WriterThread::drop() {
-  const std::lock_guard lock(mutex_);
-  jobs_.resize(busy_ ? 1 : 0);
-}
-
-void WriterThread::start() {
-  const NoSignals meanwhile;
-  thread_ = std::thread([this] { work(); });
+/// @returns false if the system starts no more threads
+bool WriterThread::start() {
+  try {
+    thread_ = std::thread([this] { work(); });
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
 }
 
 void WriterThread::work() {
-  std::unique_lock lock(mutex_);
+  Lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return over_ || !jobs_.empty(); });
     if (jobs_.empty()) return;
-    busy_ = true;
-    const std::function<void()>& job = jobs_.front();  // stays in place while others are added behind it
-    std::exception_ptr failure;
+    std::function<void()> job = std::move(jobs_.front());
     lock.unlock();
-    try {
-      job();
-    } catch (...) {
-      failure = std::current_exception();
-    }
+    const std::exception_ptr failure = failure_of(std::move(job));
     lock.lock();
-    busy_ = false;
     jobs_.pop_front();
-    if (failure) {
-      failure_ = failure;
-      jobs_.clear();
-    }
+    note(failure);
     changed_.notify_all();
   }
+}
+
+void WriterThread::wait_for_room(Lock& lock) {
+  changed_.wait(lock, [this] { return failure_ || jobs_.size() < max_jobs; });
+  require_sound();
+}
+
+void WriterThread::note(const std::exception_ptr& failure) {
+  if (!failure) return;
+  failure_ = failure;
+  jobs_.clear();
 }
 
 void WriterThread::require_sound() const {

@@ -13,6 +13,27 @@ namespace fs = std::filesystem;
 const std::string box = "'" GYRO_CASES "/box.yaml'";
 const std::string endless = box + " --set 'time.duration=10 h' --set output.snapshots=0";
 
+/// Takes a run's snapshots from it after the third frame, and waits for its end.
+const std::string moved_away =
+    "until test -e r/snapshots/particles_000002.vtp || ! kill -0 $run 2>/dev/null; do sleep 0.02; done; "
+    "mv r/snapshots away; wait $run";
+
+/// Number of frames that an index names.
+std::size_t frames_in(const fs::path& index) {
+  const std::string text = read_text(index);
+  std::size_t frames = 0;
+  for (std::size_t at = text.find("file="); at != std::string::npos; at = text.find("file=", at + 1)) ++frames;
+  return frames;
+}
+
+/// Number of files particles_NNNNNN.vtp in a directory.
+std::size_t particle_files(const fs::path& directory) {
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(directory))
+    files += entry.path().stem().string().starts_with("particles_") && entry.path().extension() == ".vtp" ? 1 : 0;
+  return files;
+}
+
 /// Content of every file below a directory.
 std::map<std::string, std::string> contents(const fs::path& directory) {
   std::map<std::string, std::string> found;
@@ -159,10 +180,10 @@ TEST_CASE("Standard output has only the summary, and with --quiet it is empty") 
 
 TEST_CASE("A run whose snapshots cannot be written any more ends with that reason") {
   const Workplace place;
-  const Outcome outcome = place.shell(
-      "\"$GYROSIM\" run " + box +
-      " --set 'time.duration=10 h' --set 'output.snapshots=5 ms' --set output.checkpoints=0 --out r & run=$!; "
-      "until test -e r/snapshots/particles_000002.vtp; do sleep 0.02; done; mv r/snapshots away; wait $run");
+  const Outcome outcome = place.shell("\"$GYROSIM\" run " + box +
+                                      " --set 'time.duration=10 h' --set 'output.snapshots=5 ms' --set "
+                                      "output.checkpoints=0 --out r --max-walltime '60 s' & run=$!; " +
+                                      moved_away);
   CHECK(outcome.code == 5);
   INFO(outcome.err);
   CHECK(outcome.err.find("r/snapshots/particles_") != std::string::npos);
@@ -172,12 +193,34 @@ TEST_CASE("A run whose snapshots cannot be written any more ends with that reaso
   CHECK(outcome.err.find(summary["reason"].get<std::string>()) != std::string::npos);
   CHECK_FALSE(fs::exists(place.path() / "r/checkpoint.h5"));
   // The index names the frames that were written.
-  std::size_t frames = 0;
-  const std::string index = read_text(place.path() / "r/particles.pvd");
-  for (std::size_t at = index.find("file="); at != std::string::npos; at = index.find("file=", at + 1)) ++frames;
-  std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(place.path() / "away"))
-    files += entry.path().stem().string().starts_with("particles_") && entry.path().extension() == ".vtp" ? 1 : 0;
+  const std::size_t frames = frames_in(place.path() / "r/particles.pvd");
   CHECK(frames >= 3);
-  CHECK(frames == files);
+  CHECK(frames == particle_files(place.path() / "away"));
+}
+
+TEST_CASE("A checkpoint never counts a frame that is not in the directory") {
+  const Workplace place;
+  // A checkpoint after each window, also after the one whose frame cannot be written.
+  const std::string run =
+      "\"$GYROSIM\" run " + box + " --set 'output.snapshots=5 ms' --set 'output.checkpoints=1 ms' --out r ";
+  const Outcome outcome = place.shell(run + "--set 'time.duration=10 h' --max-walltime '60 s' & run=$!; " + moved_away);
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 5);
+  REQUIRE(fs::exists(place.path() / "r/checkpoint.h5"));
+  fs::remove_all(place.path() / "r/snapshots");  // if the run has made it again
+  fs::rename(place.path() / "away", place.path() / "r/snapshots");
+  const double end = summary_of(place.path() / "r")["simulated_seconds"].get<double>() + 0.02;
+  const Outcome resumed = place.shell(run + "--resume --until " + std::to_string(end));
+  INFO(resumed.err);
+  REQUIRE(resumed.code == 0);
+  const std::size_t frames = frames_in(place.path() / "r/particles.pvd");
+  const double reached = summary_of(place.path() / "r")["simulated_seconds"].get<double>();
+  CHECK(frames == static_cast<std::size_t>(reached / 5e-3 + 1e-6) + 1);
+  CHECK(frames == particle_files(place.path() / "r/snapshots"));
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const std::string number = std::to_string(frame);
+    const std::string name = "particles_" + std::string(6 - number.size(), '0') + number + ".vtp";
+    CHECK(fs::exists(place.path() / "r/snapshots" / name));
+    CHECK_THAT(read_text(place.path() / "r/particles.pvd"), Catch::Matchers::Contains(name));
+  }
 }

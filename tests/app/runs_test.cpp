@@ -220,3 +220,19 @@ TEST_CASE("The quickstart starts well: energies within 2 %, no particle lost, no
   CHECK(std::abs(summary["energy_residual_fraction"].get<double>()) < 0.02);
   CHECK(result_of(run, "series/time").size() == 15);
 }
+
+TEST_CASE("A run whose directory another run has taken writes nothing more there") {
+  const Workplace place;
+  // Another machine, whose locks are not visible here, names itself as the holder. The run looks every 10 s.
+  const Outcome outcome =
+      place.shell("\"$GYROSIM\" run " + box +
+                  " --set 'time.duration=10 h' --set 'output.snapshots=5 ms' --out r --max-walltime '60 s' & run=$!; "
+                  "until test -e r/snapshots/particles_000002.vtp || ! kill -0 $run 2>/dev/null; do sleep 0.02; done; "
+                  "printf 'host other\npid 1\nsince now\nbeat 1\n' > r/run.lock; wait $run");
+  INFO(outcome.err);
+  CHECK(outcome.code == 5);
+  CHECK_THAT(outcome.err, Catch::Matchers::Contains("r: another run has taken this directory"));
+  CHECK(read_text(place.path() / "r/run.lock").starts_with("host other"));
+  CHECK_FALSE(fs::exists(place.path() / "r/summary.json"));
+  CHECK_FALSE(fs::exists(place.path() / "r/checkpoint.h5"));
+}
