@@ -126,7 +126,7 @@ ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, doubl
 }
 
 void check_steps(const ExpectedCounts& counts, const Case& input, const StepChoice& step, std::optional<double> until) {
-  const double steps = counts.steps * step.most_substeps;
+  const double steps = counts.steps * step.max_substeps;
   if (steps <= max_steps) return;
   const std::string found = "the run has " + in_words(steps) + " steps, more than 1e15; ";
   const double end = until.value_or(input.time.duration);

@@ -56,7 +56,7 @@ void apply(const KnobSetting& setting, double window, Assembly& assembly) {
   step.steps_per_window = static_cast<int>(std::ceil(1.0 * step.steps_per_window / setting.hold));
   step.dt = window / step.steps_per_window;
   step.bond_step = step.dt / setting.hold;
-  step.most_substeps = setting.hold;
+  step.max_substeps = setting.hold;
   step.of_library.assign(step.of_library.size(), setting.hold);
   step.of_start.assign(step.of_start.size(), setting.hold);
   set_step(setup, step);

@@ -110,7 +110,7 @@ Estimate estimate(const Case& input, const Assembly& assembly, int threads) {
 void add_figures(nlohmann::json& out, const Estimate& e) {
   out["time_step"] = e.step.bond_step;
   out["hold"] = e.step.dt;
-  out["substeps"] = {e.step.fewest_substeps, e.step.most_substeps};
+  out["substeps"] = {e.step.min_substeps, e.step.max_substeps};
   out["time_step_limit"] = e.step.limit;  // null where nothing limits it
   out["limited_by"] = e.step.limited_by;
   out["particles"] = e.particles;
@@ -139,13 +139,13 @@ void print_step(const StepChoice& step) {
   std::printf("step           %.4g us", step.bond_step * 1e6);
   if (std::isfinite(step.limit)) std::printf(", limit %.4g us (%s)", step.limit * 1e6, step.limited_by.c_str());
   std::printf("\n");
-  if (step.most_substeps == 1) return;
+  if (step.max_substeps == 1) return;
   std::printf("hold           %.4g us of contacts and walls", step.dt * 1e6);
   if (!step.hold_limited_by.empty()) std::printf(" (%s)", step.hold_limited_by.c_str());
-  if (step.fewest_substeps == step.most_substeps)
-    std::printf(", %d sub-steps of every rock\n", step.most_substeps);
+  if (step.min_substeps == step.max_substeps)
+    std::printf(", %d sub-steps of every rock\n", step.max_substeps);
   else
-    std::printf(", %d to %d sub-steps of a rock\n", step.fewest_substeps, step.most_substeps);
+    std::printf(", %d to %d sub-steps of a rock\n", step.min_substeps, step.max_substeps);
 }
 
 void print(const Case& input, const Assembly& assembly, const Estimate& e) {

@@ -12,7 +12,7 @@ namespace gyro {
 namespace {
 
 std::string hold_text(const StepChoice& step) {
-  if (step.most_substeps == 1) return {};
+  if (step.max_substeps == 1) return {};
   char text[80];
   std::snprintf(text, sizeof text, ", contacts held for %.4g us", step.dt * 1e6);
   return text;

@@ -160,7 +160,7 @@ void check_sweep(double wanted, const Limit& sweep, double speed_ratio) {
   refuse_step(wanted, what.str(), sweep.step, "");
 }
 
-constexpr double most_steps = 1e9;  // of a window: they are counted in 32 bits
+constexpr double max_window_steps = 1e9;  // of a window: they are counted in 32 bits
 
 [[noreturn]] void refuse_count(double window, double step, bool asked_for) {
   std::ostringstream message;
@@ -171,7 +171,7 @@ constexpr double most_steps = 1e9;  // of a window: they are counted in 32 bits
 
 /// Divides the window into steps of at most `wanted`.
 void divide(double window, double wanted, bool asked_for, StepChoice& choice) {
-  if (!(window / wanted <= most_steps)) refuse_count(window, wanted, asked_for);
+  if (!(window / wanted <= max_window_steps)) refuse_count(window, wanted, asked_for);
   choice.steps_per_window = static_cast<int>(std::ceil(window / wanted * (1 - 1e-9)));
   choice.dt = window / choice.steps_per_window;
 }
@@ -186,13 +186,13 @@ void divide(double window, double wanted, bool asked_for, StepChoice& choice) {
 /// Held contacts feed vibrations of bonds with twice the period of the hold, which some damping of bonds stops: from
 /// 0.01 on, more changes nothing (tests/hard/near_limit.md).
 double held_share(const Scene& scene, const Rates& rates) {
-  constexpr double least_damping = 0.01, share_below = 0.35;
-  return scene.bonds && scene.bonds->damping < least_damping ? std::min(rates.share, share_below) : rates.share;
+  constexpr double min_damping = 0.01, share_below = 0.35;
+  return scene.bonds && scene.bonds->damping < min_damping ? std::min(rates.share, share_below) : rates.share;
 }
 
 void check_hold(const StepChoice& choice, const Scene& scene, const Rates& rates) {
   const double maximum = held_share(scene, rates) * choice.contact_limit;
-  if (choice.most_substeps == 1 || choice.dt <= maximum) return;
+  if (choice.max_substeps == 1 || choice.dt <= maximum) return;
   std::ostringstream instead;
   instead << "which is " << std::max(1, static_cast<int>(maximum / choice.bond_step)) << " sub-steps of "
           << choice.bond_step << " s";
@@ -230,7 +230,7 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
     check_sweep(wanted, sweep, setup.scene.limits.speed_ratio);
   }
   divide(request.window, wanted * substeps, request.step.has_value(), choice);
-  choice.fewest_substeps = choice.most_substeps = substeps;
+  choice.min_substeps = choice.max_substeps = substeps;
   choice.bond_step = choice.dt / substeps;
   check_hold(choice, setup.scene, request.rates);
   choice.of_library.assign(setup.library.rocks.size(), substeps);
@@ -249,7 +249,7 @@ void choose_hold(const Setup& setup, const StepRequest& request, const Limit& un
     check_given(request.rates.hold, sweep.step, sweep.by);
     hold = request.rates.hold;
     choice.hold_limited_by = "numerics.hold";
-    if (!(request.window / hold <= most_steps))
+    if (!(request.window / hold <= max_window_steps))
       throw BadHold("a coupling interval has more than 1e9 holds of this length; lengthen it");
   }
   divide(request.window, hold, request.step.has_value(), choice);
@@ -261,21 +261,21 @@ void choose_substeps(const Setup& setup, const StepRequest& request, const RockL
   choice.of_library.assign(setup.library.rocks.size(), 1);
   choice.of_start.assign(setup.start.size(), 1);
   const std::vector<RockLimits::Rock> bonded = rocks.bonded();
-  choice.fewest_substeps = bonded.empty() ? 1 : std::numeric_limits<int>::max();
+  choice.min_substeps = bonded.empty() ? 1 : std::numeric_limits<int>::max();
   Limit stiffest;
   for (const RockLimits::Rock& rock : bonded) {
     const Limit alone = rocks.of(rock, false);
     stiffest.consider(alone);
     if (request.step) check_step(*request.step, alone, request.safety);
     const double step = std::min(request.safety * alone.step, request.step.value_or(1e300));
-    if (!(request.window / step <= most_steps)) refuse_count(request.window, step, request.step.has_value());
+    if (!(request.window / step <= max_window_steps)) refuse_count(request.window, step, request.step.has_value());
     int substeps = std::max(1, static_cast<int>(std::ceil(choice.dt / step * (1 - 1e-9))));
     if (substeps == 1 && choice.dt > request.safety * rocks.of(rock, true).step) substeps = 2;
     (choice.*rock.place)[rock.k] = substeps;
-    choice.fewest_substeps = std::min(choice.fewest_substeps, substeps);
-    choice.most_substeps = std::max(choice.most_substeps, substeps);
+    choice.min_substeps = std::min(choice.min_substeps, substeps);
+    choice.max_substeps = std::max(choice.max_substeps, substeps);
   }
-  choice.bond_step = choice.dt / choice.most_substeps;
+  choice.bond_step = choice.dt / choice.max_substeps;
   choice.limit = std::isfinite(stiffest.step) ? stiffest.step : choice.contact_limit;
   choice.limited_by = std::isfinite(stiffest.step) ? stiffest.by : choice.hold_limited_by;
 }
@@ -315,7 +315,7 @@ StepChoice set_step(Setup& setup, const StepRequest& request) {
 
 void set_step(Setup& setup, const StepChoice& choice) {
   setup.scene.dt = choice.dt;
-  setup.scene.substeps = choice.most_substeps;
+  setup.scene.substeps = choice.max_substeps;
   setup.steps_per_window = choice.steps_per_window;
   for (std::size_t k = 0; k < choice.of_library.size(); ++k) setup.library.rocks[k].substeps = choice.of_library[k];
   for (std::size_t k = 0; k < choice.of_start.size(); ++k) setup.start[k].substeps = choice.of_start[k];

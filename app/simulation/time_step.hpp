@@ -44,8 +44,8 @@ struct StepChoice {
   double contact_limit = 0;
   std::string hold_limited_by;  ///< particle or wall that sets dt, if rocks have sub-steps
   int steps_per_window = 0;
-  std::vector<int> of_library, of_start;       ///< sub-steps of each rock of library and start
-  int fewest_substeps = 1, most_substeps = 1;  ///< of all rocks with bonds
+  std::vector<int> of_library, of_start;   ///< sub-steps of each rock of library and start
+  int min_substeps = 1, max_substeps = 1;  ///< of all rocks with bonds
 };
 
 /// Contacts that a particle may collect in a dense bed: six, each with an overlap of 5 % of the radius. That is more

@@ -64,7 +64,7 @@ class ParticleStore {
   };
   const Piece* large_rows() const { return large_rows_.data(); }
   const std::vector<LargeRock>& large_rocks() const { return large_rocks_; }
-  int most_substeps() const { return most_substeps_; }  ///< of all rocks
+  int max_substeps() const { return max_substeps_; }  ///< of all rocks
 
   typename Arrivals<Real>::Present present() const {
     return {count(), bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
@@ -153,7 +153,7 @@ class ParticleStore {
           {block, b.substeps, {colours.begin() + b.first_colour, colours.begin() + b.end_colour}, first_row, rows});
       first_row += rows;
     }
-    most_substeps_ = pieces.most_substeps;
+    max_substeps_ = pieces.max_substeps;
     Exec::upload(pieces_, std::move(pieces.together));
     Exec::upload(large_rows_, std::move(pieces.large_rows));
   }
@@ -199,7 +199,7 @@ class ParticleStore {
   Buffer<Index> bond_row_begin_, bond_row_;  ///< BondIndex
   Buffer<Piece> pieces_, large_rows_;        ///< Pieces
   std::vector<LargeRock> large_rocks_;
-  int most_substeps_ = 1;
+  int max_substeps_ = 1;
 };
 
 }  // namespace gyro

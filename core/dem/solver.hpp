@@ -68,7 +68,7 @@ class DemSolver final : public Dem {
 
   SceneSums<Exec, Real> sums() const { return {exec_, scene_, laws_, rock_, lists_, walls_.now()}; }
   typename WallAccounts<Exec>::Rock where_rock_is() const { return {rock_.particles().position, rock_.particles().id}; }
-  bool held() const { return rock_.most_substeps() > 1; }  ///< contact and wall forces, over sub-steps of some rock
+  bool held() const { return rock_.max_substeps() > 1; }  ///< contact and wall forces, over sub-steps of some rock
 
   Scene scene_;
   mutable Exec exec_;  ///< kernels that only read change nothing but its timers

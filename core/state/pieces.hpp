@@ -21,7 +21,7 @@ struct Pieces {
   std::vector<Piece> together;    ///< rocks, each a piece, and loose particles
   std::vector<Piece> large_rows;  ///< particles of large rocks, without their bonds, rock by rock
   std::vector<Index> large;       ///< blocks of the large rocks
-  int most_substeps = 1;          ///< of all pieces
+  int max_substeps = 1;           ///< of all pieces
 };
 
 /// Particles in a piece without bonds.
@@ -59,7 +59,7 @@ inline Pieces make_pieces(const std::vector<Block>& blocks, Index particles) {
   };
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Block& b = blocks[k];
-    pieces.most_substeps = std::max(pieces.most_substeps, static_cast<int>(b.substeps));
+    pieces.max_substeps = std::max(pieces.max_substeps, static_cast<int>(b.substeps));
     extend(b.first_particle, 1);
     if (b.first_bond == b.end_bond) {
       extend(b.end_particle, b.substeps);

@@ -23,11 +23,11 @@ struct MixItems {
   const std::vector<IndexRange>* block_items;
   std::uint64_t* row_values;
   std::int32_t* block_of_item;
-  int most_passes;
+  int max_passes;
 
   IndexRange rows(Index block) const { return (*block_rows)[static_cast<std::size_t>(block)]; }
   IndexRange items(Index block) const { return (*block_items)[static_cast<std::size_t>(block)]; }
-  int passes(Index block) const { return block % 4 == 3 ? most_passes - 1 : most_passes; }
+  int passes(Index block) const { return block % 4 == 3 ? max_passes - 1 : max_passes; }
   void prepare(Index row, Index, int pass) const { row_values[row] = pass == 0 ? 1 : row_values[row] ^ 5; }
   void operator()(const FourItems& pack, Index block, int pass) const {
     const IndexRange own = rows(block);

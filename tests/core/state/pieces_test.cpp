@@ -58,7 +58,7 @@ TEST_CASE("Pieces: all particles of a piece have the same sub-steps", "[state]")
   }
   CHECK(begins == std::vector<Index>{0, 10, 16, 17, 20});
   CHECK(substeps == std::vector<std::int32_t>{3, 2, 1, 2, 1});
-  CHECK(pieces.most_substeps == 3);
+  CHECK(pieces.max_substeps == 3);
 }
 
 TEST_CASE("Pieces of an empty scene, and of one without rocks", "[state]") {
