@@ -179,8 +179,8 @@ std::vector<NewRock> close_packing(double radius, double overlap, Scene& scene) 
 
 TEST_CASE("H1 the densest bed keeps its energy balance at the step that the program chooses, or is stopped", "[hard]") {
   // A close packing with overlaps of 1 to 20 % of the radius: twelve contacts each, twice as many as the choice of the
-  // step assumes. With e = 0.2, dashpots are capped and hold the bed together; with e = 0.9 and
-  // 1 the guard stops it from 10 % on.
+  // step assumes. The guard knows the real stiffness and stops the run where the step is above the limit: from 5 % on,
+  // or from 10 % on with e = 0.2, whose step is shorter.
   const double overlap = GENERATE(0.01, 0.05, 0.1, 0.2), restitution = GENERATE(0.2, 0.9, 1.0);
   const double radius = 0.01;
   Scene scene = plain_scene(0);
@@ -204,7 +204,7 @@ TEST_CASE("H1 the densest bed keeps its energy balance at the step that the prog
   INFO("overlap " << overlap << ", restitution " << restitution << ": largest energy " << maximum / stored
                   << ", residual " << worst / stored << " of what was stored; " << verdict.value_or("no verdict"));
   if (verdict) {
-    CHECK((overlap >= 0.1 && restitution > 0.5));
+    CHECK(overlap >= (restitution == 0.2 ? 0.1 : 0.05));
   } else {
     CHECK(maximum < 1.02 * stored);
     CHECK(worst < 0.05 * stored);
