@@ -220,14 +220,14 @@ void choose_uniform(const Setup& setup, const StepRequest& request, const RockLi
   choice.limit = swept ? sweep.step : stable.step;
   choice.limited_by = swept ? sweep.by : stable.by;
   double wanted = std::min({request.safety * stable.step, sweep.step, request.window});
-  if (request.rates.kind == Rates::Kind::given) {  // of a scene without bonds
-    check_given(request.rates.hold, request.safety * stable.step, stable.by);
-    wanted = std::min(wanted, request.rates.hold);
-  }
   if (request.step) {
     wanted = *request.step;
     check_step(wanted, stable, request.safety);
     check_sweep(wanted, sweep, setup.scene.limits.speed_ratio);
+  }
+  if (request.rates.kind == Rates::Kind::given) {  // of a scene without bonded rock
+    check_given(request.rates.hold, request.safety * stable.step, stable.by);
+    wanted = std::min(wanted, request.rates.hold);
   }
   divide(request.window, wanted * substeps, request.step.has_value(), choice);
   choice.min_substeps = choice.max_substeps = substeps;

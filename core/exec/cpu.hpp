@@ -102,8 +102,7 @@ class Cpu {
       team_->run([&](int t) {
         for (int turn = 0; turn < threads_; ++turn) {
           BlockShare& share = shares[static_cast<std::size_t>((t + turn) % threads_)];
-          for (Index k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
-            work_on_block(k, kernel);
+          for (Index k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;) work_on_block(k, kernel);
         }
       });
     }

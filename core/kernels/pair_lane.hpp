@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/kernels/particle_row.hpp"
+#include "core/kernels/row_lane.hpp"
 #include "core/laws/contact/contact.hpp"
 #include "core/math/select.hpp"
 #include "core/state/contacts.hpp"
@@ -13,41 +13,19 @@
 namespace gyro {
 
 /// One pair.
-struct OnePair {
-  template <class T>
-  using Number = T;
-  static constexpr int count = 1;
-  Index n;
-
-  template <class Struct>
-  GYRO_HD Index index(const Struct* column, Index Struct::*member) const {
-    return column[n].*member;
-  }
-
-  GYRO_HD double at(const double* column, Index particle) const { return column[particle]; }
-
-  template <class Row>
-  GYRO_HD ParticleRow<double> row(const Row* rows, Index particle) const {
-    return row_of(rows[particle]);
-  }
+struct OnePair : OneRow {
   template <class Struct>
   GYRO_HD auto load(const Struct* column) const {
     return column[n];
   }
   template <class Struct>
-  GYRO_HD void store(Struct* column, const Struct& value) const {
-    column[n] = value;
-  }
-  template <class Struct>
   GYRO_HD void store_at(Struct* column, Index row, const Struct& value) const {
     column[row] = value;
   }
-
   template <class Real>
   GYRO_HD const ContactConstants<Real>& spread(const ContactConstants<Real>& law) const {
     return law;
   }
-  GYRO_HD bool any(bool m) const { return m; }
 };
 
 template <int N>

@@ -119,7 +119,7 @@ struct WallForces {
     return {select(same, old.history.elastic, nothing), select(same, old.history.overlap, zero),
             select(same, old.history.drag, nothing)};
   }
-  /// Leaves one contact in the history: the one that goes on, if there is any.
+  /// Reduces the history to one contact: the one that continues; if none does, an empty one.
   GYRO_HD static void keep_one(WallHistory<Real>& history, const Vec3<Real>& outward) {
     bool taken[WallTouches::capacity] = {};
     const int found = matching_contact(history, outward, taken);

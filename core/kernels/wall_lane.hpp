@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/kernels/particle_row.hpp"
+#include "core/kernels/row_lane.hpp"
 #include "core/kernels/wall_total.hpp"
 #include "core/laws/contact/contact.hpp"
 
@@ -26,21 +26,7 @@ GYRO_HD inline ParticleRow<double> row_of(const WallTouchNow& t) {
 }
 
 /// One entry.
-struct OneEntry {
-  template <class T>
-  using Number = T;
-  static constexpr int count = 1;
-  Index n;
-
-  template <class Struct>
-  GYRO_HD Index index(const Struct* column, Index Struct::*member) const {
-    return column[n].*member;
-  }
-  GYRO_HD double at(const double* column, Index number) const { return column[number]; }
-  template <class Row>
-  GYRO_HD ParticleRow<double> row(const Row* rows, Index number) const {
-    return row_of(rows[number]);
-  }
+struct OneEntry : OneRow {
   template <class Row>
   GYRO_HD ParticleRow<double> own_row(const Row* rows) const {
     return row_of(rows[n]);
@@ -62,14 +48,9 @@ struct OneEntry {
   GYRO_HD void store_first(WallHistory<Real>* history, const WallContact<Real>& contact) const {
     history[n].contact[0] = contact;
   }
-  template <class Struct>
-  GYRO_HD void store(Struct* column, const Struct& value) const {
-    column[n] = value;
-  }
   GYRO_HD void add(WallSum* sums, const WallQuanta<std::int64_t>& q) const {
     sums[n] = sums[n] + WallSum{q.force, q.torque, q.work, q.slip};
   }
-  GYRO_HD bool any(bool m) const { return m; }
 };
 
 template <int N>

@@ -2,8 +2,7 @@
 #pragma once
 
 // Host only.
-#include "core/kernels/row_columns.hpp"
-#include "core/kernels/struct_columns.hpp"
+#include "core/kernels/row_pack.hpp"
 #include "core/kernels/wall_lane.hpp"
 
 namespace gyro {
@@ -15,29 +14,11 @@ Pack<std::int64_t, N> quanta(const Pack<double, N>& x) {
   return pack_cast<std::int64_t>(floor(select((x > -maximum) & (x < maximum), x + P(0.5), P(0))));
 }
 
-/// N entries, anywhere in the wall list. N is 4 or 8.
+/// N entries.
 template <int N>
-struct PackOfEntries {
-  template <class T>
-  using Number = Pack<T, N>;
-  static constexpr int count = N;
-  const Index* n;  ///< N numbers of entries
+struct PackOfEntries : PackOfRows<N> {
+  using PackOfRows<N>::n;
 
-  template <class Struct>
-  Pack<Index, N> index(const Struct* column, Index Struct::*member) const {
-    Pack<Index, N> out;
-    for (int k = 0; k < N; ++k) out.v[k] = column[n[k]].*member;
-    return out;
-  }
-  Pack<double, N> at(const double* column, const Pack<Index, N>& number) const {
-    Pack<double, N> out;
-    for (int k = 0; k < N; ++k) out.v[k] = column[number.v[k]];
-    return out;
-  }
-  template <class Row>
-  ParticleRow<Pack<double, N>> row(const Row* rows, const Pack<Index, N>& number) const {
-    return row_columns<double, N>([&](int k) { return whole_row(rows, number.v[k]); });
-  }
   template <class Row>
   ParticleRow<Pack<double, N>> own_row(const Row* rows) const {
     return row_columns<double, N>([&](int k) { return whole_row(rows, n[k]); });
@@ -61,10 +42,6 @@ struct PackOfEntries {
   void store_first(WallHistory<Real>* history, const WallContact<Pack<Real, N>>& contact) const {
     store_structs<N, WallContact, Real>(contact, [&](int k) { return history[n[k]].contact; });
   }
-  template <template <class> class Struct, class Real>
-  void store(Struct<Real>* column, const Struct<Pack<Real, N>>& value) const {
-    store_structs<N, Struct, Real>(value, [&](int k) { return column + n[k]; });
-  }
   void add(WallSum* sums, const WallQuanta<Pack<std::int64_t, N>>& q) const {
     constexpr int numbers = sizeof(WallSum) / sizeof(std::int64_t);
     static_assert(sizeof q == numbers * sizeof q.work);
@@ -77,10 +54,6 @@ struct PackOfEntries {
                           lanes[6][k],
                           lanes[7][k]};
     }
-  }
-  template <class T>
-  bool any(const PackMask<T, N>& m) const {
-    return any_bit(m.v);
   }
 };
 

@@ -73,21 +73,22 @@ template <class T, int N>
 Pack<T, N> select(PackMask<T, N> m, Pack<T, N> a, Pack<T, N> b) {
   return Pack<T, N>{m.v ? a.v : b.v};
 }
-template <class T, int N>
-Pack<T, N> sqrt(Pack<T, N> a) {
+/// A function of each lane.
+template <class T, int N, class F>
+Pack<T, N> lane_by_lane(Pack<T, N> a, const F& f) {
   alignas(64) T lane[N];
   std::memcpy(lane, &a.v, sizeof lane);
-  for (int k = 0; k < N; ++k) lane[k] = std::sqrt(lane[k]);
+  for (int k = 0; k < N; ++k) lane[k] = f(lane[k]);
   std::memcpy(&a.v, lane, sizeof lane);
   return a;
 }
 template <class T, int N>
+Pack<T, N> sqrt(Pack<T, N> a) {
+  return lane_by_lane(a, [](T x) { return std::sqrt(x); });
+}
+template <class T, int N>
 Pack<T, N> floor(Pack<T, N> a) {
-  alignas(64) T lane[N];
-  std::memcpy(lane, &a.v, sizeof lane);
-  for (int k = 0; k < N; ++k) lane[k] = std::floor(lane[k]);
-  std::memcpy(&a.v, lane, sizeof lane);
-  return a;
+  return lane_by_lane(a, [](T x) { return std::floor(x); });
 }
 template <class To, class From, int N>
 Pack<To, N> pack_cast(Pack<From, N> a) {

@@ -103,7 +103,7 @@ struct Scene {
   Vec3d gravity{0, 0, -9.81};
   double dt = 0;              ///< step, from one evaluation of contact and wall forces to the next [s]
   int substeps = 1;           ///< steps of a rock's bonds in one of the scene; a rock may have its own (NewRock)
-  double damping_cap = 1;     ///< beta of largest_dashpot(): infinity for dashpots without a cap [-]
+  double damping_cap = 1;     ///< beta of largest_dashpot(): a large number for dashpots without a cap [-]
   double neighbour_skin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
   StepLimits limits;
   bool wall_impulses = false;  ///< Dem::take_wall_impulses() has something to give

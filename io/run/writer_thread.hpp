@@ -11,8 +11,9 @@
 
 namespace gyro {
 
-/// Does jobs in the order in which they are added, on a thread of its own, while the caller goes on. A job must own all
-/// that it reads. The thread starts with the first job; where the system starts no more threads, the caller does it.
+/// Does jobs on a second thread, in the order in which they were added. The caller does not wait for them. A job must
+/// own the data that it reads. The thread starts with the first job; where the system starts no more threads, the
+/// caller does it.
 ///
 /// The first job that fails is the last one that is done: those behind it are dropped, and each later call throws what
 /// it has thrown.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The coupled run as a library: setups filled by hand, without a case file.
 #include "app/simulation/simulation.hpp"
-#include "app/simulation/time_step.hpp"
 #include "core/base/errors.hpp"
 #include "core/dem/make_dem.hpp"
 #include "core/rocks/library.hpp"
 #include "mbd/drivetrain.hpp"
+#include "tests/app/rock_setup.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>
@@ -16,22 +16,8 @@ namespace {
 
 /// A floor and one bonded rock of 60 mm in the air above it.
 Setup dropped_rock(double height) {
-  Setup setup;
-  Scene& scene = setup.scene;
-  scene.materials = {{"rock", 2600, 557e6, 0.35}, {"steel", 7800, 70e9, 0.3}};
-  scene.pairs = {{0.5, 0.2, 0}, {0.7, 0.25, 0}, {0.7, 0.25, 0}, {0, 1, 0}};
-  scene.bonds = BondParameters{1.67e12, 6.67e11, 36e6, 24e6, 0.05, 0, 0};
-  scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
-  LibraryRecipe recipe;
-  recipe.shapes = ProceduralShapes{1};
-  recipe.sizes = PassingTable{{{0.059, 0}, {0.061, 1}}};
-  recipe.samples = 1;
-  recipe.fill = MonoFill{4};
-  recipe.rock_density = 2600;
-  recipe.bond_rule = {0.05, RelativeBondRadius{0.5}};
-  recipe.bond_parameters = *scene.bonds;
-  recipe.bed = bed_contacts(scene);
-  setup.library = make_library(recipe);
+  Setup setup = test::rock_setup();
+  setup.scene.walls = {{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 1}};
   setup.feed = FeedPlan{};
   setup.feed->fixed = {{0, {0, 0, height}}};
   set_step(setup);

@@ -1,37 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The choice of two rates: how long contacts are held, and how many steps the bonds of a rock take meanwhile.
+#include "tests/app/rock_setup.hpp"
 #include "tests/catch.hpp"
 
-#include "app/simulation/time_step.hpp"
-#include "core/rocks/library.hpp"
-
 using namespace gyro;
-
-namespace {
-
-/// A library of one rock of 60 mm.
-Setup one_rock() {
-  Setup setup;
-  setup.scene.materials = {{"rock", 2600, 557e6, 0.35}};
-  setup.scene.pairs = {{0.5, 0.2, 0}};
-  setup.scene.bonds = BondParameters{1.67e12, 6.67e11, 36e6, 24e6, 0.05, 0, 0};
-  LibraryRecipe recipe;
-  recipe.shapes = ProceduralShapes{1};
-  recipe.sizes = PassingTable{{{0.059, 0}, {0.061, 1}}};
-  recipe.samples = 1;
-  recipe.fill = MonoFill{4};
-  recipe.rock_density = 2600;
-  recipe.bond_rule = {0.05, RelativeBondRadius{0.5}};
-  recipe.bond_parameters = *setup.scene.bonds;
-  recipe.bed = bed_contacts(setup.scene);
-  setup.library = make_library(recipe);
-  return setup;
-}
-
-}  // namespace
+using namespace gyro::test;
 
 TEST_CASE("Contacts are held for half their undamped limit, and bonds take the steps that they need", "[simulation]") {
-  Setup setup = one_rock();
+  Setup setup = rock_setup();
   REQUIRE(setup.scene.bonds);
   const StepRequest automatic{.rates = {.kind = Rates::Kind::automatic}};
   const StepChoice choice = set_step(setup, automatic);
@@ -53,7 +29,7 @@ TEST_CASE("Contacts are held for half their undamped limit, and bonds take the s
 }
 
 TEST_CASE("A given hold is taken, and refused above its share of the limit", "[simulation]") {
-  Setup setup = one_rock();
+  Setup setup = rock_setup();
   const double limit = choose_step(setup, {.rates = {.kind = Rates::Kind::automatic}}).contact_limit;
   const auto with = [&](double hold) {
     return choose_step(setup, {.rates = {.kind = Rates::Kind::given, .hold = hold}});
@@ -66,11 +42,13 @@ TEST_CASE("A given hold is taken, and refused above its share of the limit", "[s
                     Catch::Matchers::Contains("more than 1e9 steps"));
   setup.scene.bonds.reset();  // the same for loose particles, whose contacts may take longer steps
   CHECK(with(0.2 * limit).dt <= 0.2 * limit);
+  CHECK(choose_step(setup, {.step = 0.3 * limit, .rates = {.kind = Rates::Kind::given, .hold = 0.2 * limit}}).dt <=
+        0.2 * limit);
   CHECK_THROWS_AS(with(0.8 * limit), BadHold);
 }
 
 TEST_CASE("A rock whose bonds allow the hold must be stable with its contacts, too", "[simulation]") {
-  Setup setup = one_rock();
+  Setup setup = rock_setup();
   for (RockTemplate& rock : setup.library.rocks) rock.bond_step = 1, rock.critical_step = 1e-7;
   const StepChoice choice = choose_step(setup, {.rates = {.kind = Rates::Kind::automatic}});
   CHECK(choice.max_substeps == 2);

@@ -18,8 +18,8 @@ struct SpeedScene {
   StartState (*make)(const StartRecipe&) = nullptr;  ///< null: the case has all that it needs
   StartRecipe recipe = {};                           ///< unless the command line asks for another
   int warm_up = 0;                                   ///< steps before the clock starts; windows without a start state
-  int timed = 0;            ///< steps, or windows, while it runs
-  bool asked_only = false;  ///< too long for a run of all scenes
+  int timed = 0;                                     ///< steps, or windows, while it runs
+  bool asked_only = false;                           ///< too long for a run of all scenes
 };
 
 /// S1, S2, S2r, S3, Q, C and F.

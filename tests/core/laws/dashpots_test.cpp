@@ -144,7 +144,7 @@ TEST_CASE("A capped contact damps less, and tells its whole dashpot", "[contact]
   ExtraHistory<double> none{};
   const ContactHistory<double> history{{0, 0, 0}, overlap, {0, 0, 0}};
   using Law = ContactLaw<Hertz, NoRolling>;
-  const PairProperties pair{.friction = 0.5, .restitution = 0.2, .rolling_friction = 0};
+  const PairProperties pair{.friction = 1e9, .restitution = 0.2, .rolling_friction = 0};
 
   const auto fine = contact_constants<double>(rock, rock, pair, 1e-9),
              coarse = contact_constants<double>(rock, rock, pair, 1e-3);
@@ -157,4 +157,17 @@ TEST_CASE("A capped contact damps less, and tells its whole dashpot", "[contact]
   const double spring = 2.0 / 3 * 2 * fine.youngs * std::sqrt(c.radius * overlap) * overlap;
   CHECK(-capped.force.z == Approx(spring + c.mass / coarse.dt * c.velocity.z).epsilon(1e-9));
   CHECK(-free.force.z > -capped.force.z);
+  CHECK(capped.history.drag.x == Approx(-c.mass / coarse.dt / 3.5 * c.velocity.x).epsilon(1e-9));
+
+  // q is the larger of c_n and 3.5 c_t, c = 2 sqrt(5/6) zeta sqrt(S m*).
+  const double root = std::sqrt(c.radius * overlap);
+  const auto dashpot = [&](double stiffness) {
+    return 2 * std::sqrt(5.0 / 6) * fine.damping * std::sqrt(stiffness * c.mass);
+  };
+  CHECK(free.dashpot == Approx(std::max(dashpot(2 * fine.youngs * root), 3.5 * dashpot(8 * fine.shear * root))));
+
+  // At a sixteenth of the overlap q was half as large: the sum of the last step is brought up to now.
+  const ContactHistory<double> shallow{{0, 0, 0}, overlap / 16, {0, 0, 0}};
+  c.damping_rate = 0.5 * free.dashpot / c.mass;
+  CHECK(Law::load(coarse, c, shallow, none).force.z == Approx(capped.force.z).epsilon(1e-9));
 }

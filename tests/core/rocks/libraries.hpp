@@ -40,7 +40,8 @@ inline bool same_rock(const RockTemplate& a, const RockTemplate& b) {
          a.colour_begin == b.colour_begin && a.bounding_radius == b.bounding_radius &&
          a.packing_fraction == b.packing_fraction && a.coordination == b.coordination && a.mass_error == b.mass_error &&
          a.inertia_error == b.inertia_error && a.centre_error == b.centre_error && a.critical_step == b.critical_step &&
-         same_vectors(a.hull_vertices, b.hull_vertices) && same_vectors(a.hull_faces, b.hull_faces);
+         a.bond_step == b.bond_step && same_vectors(a.hull_vertices, b.hull_vertices) &&
+         same_vectors(a.hull_faces, b.hull_faces);
 }
 
 /// Whether two libraries have the same rocks and notes.
