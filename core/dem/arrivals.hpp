@@ -100,7 +100,6 @@ class Arrivals {
       to.bond_load.push_back({});
     }
     to.step.push_back(dt_ / substeps);
-    to.listed_position.push_back(p.position);
     to.losses.push_back({});
     to.damping_rate.push_back(0);
     to.id.push_back(p.id);

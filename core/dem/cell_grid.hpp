@@ -9,19 +9,18 @@
 
 namespace gyro {
 
-/// Owns the search grid: which particles lie in which cell, on a level for each factor 2 of radius. Valid until a
-/// particle moves.
+/// Owns the search grid: the bounds of particles by the cells in which their centres lie, on a level for each factor 2
+/// of radius.
 template <class Exec>
 class CellGrid {
  public:
-  /// Sorts the particles into cells.
-  /// @param extent  of the particles
-  /// @param skin    distance up to which neighbours are to be found [m]
+  /// Sorts bounds into cells.
+  /// @param bounds  of all particles
   /// @throws StoppedByGuard when thousands of particles share a cell
   template <class Real>
-  void build(Exec& exec, const ParticleStore<Exec, Real>& rock, const Extent& extent, double skin) {
-    grid_ = layout(exec, rock.read(), rock.count(), extent, skin);
-    sort_into_cells(exec, rock.read(), rock.count());
+  void build(Exec& exec, const ParticleStore<Exec, Real>& rock, const Sphere* bounds) {
+    grid_ = layout(exec, bounds, rock.count());
+    sort_into_cells(exec, bounds, rock.count());
     expect_no_crowd(exec, rock);
   }
 
@@ -31,16 +30,17 @@ class CellGrid {
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
 
-  static Grid layout(Exec& exec, const ConstParticleView& p, Index count, const Extent& extent, double skin) {
+  static Grid layout(Exec& exec, const Sphere* bounds, Index count) {
     Grid grid{};
+    const Extent extent = exec.template reduce<Extent>("extent", count, ExtentOf{bounds});
     const Index maximum = 2 * count + 64;
     for (double bound = extent.largest; grid.levels < Grid::max_levels && bound * 1.0000001 >= extent.smallest;
          bound *= 0.5)
       grid.level[grid.levels++].bound = bound;
-    const LevelRadii radii = exec.template reduce<LevelRadii>("levels", count, LevelRadiiOf{p, grid});
+    const LevelRadii radii = exec.template reduce<LevelRadii>("levels", count, LevelRadiiOf{bounds, grid});
     for (int l = 0; l < grid.levels; ++l) {
       GridLevel& g = grid.level[l];
-      g = {g.bound, radii.largest[l], 2 * radii.largest[l] + skin, 3, 3, 3, grid.cells};
+      g = {g.bound, radii.largest[l], 2 * radii.largest[l], 3, 3, 3, grid.cells};
       if (g.radius > 0) enlarge(g, extent, maximum);
       grid.cells += static_cast<Index>(cells_of(g));
     }
@@ -63,19 +63,22 @@ class CellGrid {
     }
   }
 
-  void sort_into_cells(Exec& exec, const ConstParticleView& p, Index count) {
+  void sort_into_cells(Exec& exec, const Sphere* bounds, Index count) {
     keys_.resize(static_cast<std::size_t>(count));
     sorted_.resize(static_cast<std::size_t>(count));
     begin_.resize(static_cast<std::size_t>(grid_.cells) + 1);
-    exec.for_each("cell keys", count, CellKeys{p, grid_, keys_.data(), sorted_.data()});
+    exec.for_each("cell keys", count, CellKeys{bounds, grid_, keys_.data(), sorted_.data()});
     exec.sort_by_key(keys_, sorted_);
     exec.for_each("cell begins", count + 1, CellBegins{keys_.data(), count, grid_.cells, begin_.data()});
     grid_.cell_begin = begin_.data();
     grid_.sorted = sorted_.data();
+    sphere_.resize(static_cast<std::size_t>(count));
+    grid_.sphere = sphere_.data();
+    exec.for_each("sort bounds", count, SortBounds{bounds, grid_});
   }
 
   /// A search costs about 27 times the sum of the squares of the cells' particles. Rock fills a cell with some
-  /// tens of its size; thousands on average only when particles lie in each other or the skin is absurd.
+  /// tens of its size; thousands on average only when particles lie in each other or their bounds are absurd.
   template <class Real>
   void expect_no_crowd(Exec& exec, const ParticleStore<Exec, Real>& rock) const {
     constexpr double max_in_cell = 2000, little_work = 1e4;
@@ -93,6 +96,7 @@ class CellGrid {
   Grid grid_{};
   Buffer<std::uint64_t> keys_;
   Buffer<Index> sorted_, begin_;
+  Buffer<Sphere> sphere_;
 };
 
 }  // namespace gyro

@@ -16,7 +16,7 @@ namespace gyro {
 
 /// What kernels report without a reduction: flags, and the number of failed bonds.
 struct StepFlags {
-  std::int32_t moved_too_far;   ///< a particle moved further than the skin of the neighbour lists allows
+  std::int32_t moved_too_far;   ///< a particle left the bound for which the list of pairs holds
   std::int32_t block_cracked;   ///< the first bond of a rock failed: its particles must be listed as neighbours
   std::int32_t failures;        ///< bonds that have failed in this window
   std::int32_t limit_exceeded;  ///< a step passed one of Scene::limits
@@ -66,6 +66,11 @@ class Monitor {
     set(flags);
   }
 
+  void pairs_renewed() {
+    StepFlags flags = raised();
+    flags.moved_too_far = 0;
+    set(flags);
+  }
   void lists_rebuilt() {
     StepFlags flags = raised();
     flags.moved_too_far = flags.block_cracked = 0;

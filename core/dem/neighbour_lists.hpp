@@ -7,16 +7,21 @@
 namespace gyro {
 
 /// Owns the neighbour lists: pairs of particles, and particles near walls, each with its contact history. They only say
-/// who may touch: when they are rebuilt, and with which skin, changes no bit of a result.
+/// who may touch: when they are made, and how far particles may go meanwhile, changes no bit of a result.
+///
+/// There are two stages. Candidates and walls are sought in space and hold as long as all particles stay in their wide
+/// bounds, for some hundred steps. Pairs, which every step looks at, are chosen among the candidates and hold as long as
+/// all particles stay in their close bounds, for some ten steps. The numbers of steps cost least in the scenes of
+/// tests/bench.
 template <class Exec, class Real>
 class NeighbourLists {
  public:
   using Store = ParticleStore<Exec, Real>;
 
-  /// @param skin  distance up to which neighbours are listed [m]; 0: 0.8 times the smallest radius
+  /// @param way  that particles may go until candidates are sought again [m]; 0: by their speed
   /// @param pair_extra, wall_extra  whether the contact laws keep ExtraHistory
-  NeighbourLists(double skin, bool pair_extra, bool wall_extra)
-      : given_skin_(skin), pairs_(pair_extra), walls_(wall_extra) {
+  NeighbourLists(double way, bool pair_extra, bool wall_extra)
+      : given_way_(way), pairs_(pair_extra), walls_(wall_extra) {
     extend(0);
   }
 
@@ -27,33 +32,49 @@ class NeighbourLists {
 
   /// False: they must be rebuilt before the next forces, whatever has moved.
   bool valid() const { return valid_; }
-  double skin() const { return skin_; }                        ///< when they were built [m]
-  double allowed_distance() const { return 0.5 * skin_; }      ///< that a particle or wall may move meanwhile [m]
-  double smallest_radius() const { return smallest_radius_; }  ///< of the particles when they were built, 0: none [m]
+  const Sphere* bounds() const { return close_.data(); }       ///< close ones, of all particles
+  double wall_way() const { return wall_way_; }                ///< that walls may move until the next rebuild [m]
+  double smallest_radius() const { return smallest_radius_; }  ///< of the particles at the last rebuild, 0: none [m]
 
+  /// Seeks candidates, pairs and walls.
+  /// @param dt         step of the scene [s]
+  /// @param wall_step  distance that walls move in a step, at most [m]
   /// @throws StoppedByGuard when particles crowd or there are too many pairs
-  void rebuild(Exec& exec, Store& rock, const WallsNow& walls) {
-    const Extent extent = exec.template reduce<Extent>("extent", rock.count(), ExtentOf{rock.read()});
-    smallest_radius_ = rock.count() > 0 ? extent.smallest : 0;
-    skin_ = given_skin_ > 0 ? given_skin_ : 0.8 * extent.smallest;
-    cells_.build(exec, rock, extent, skin_);
-    pairs_.find(exec, rock, cells_.grid(), skin_);
-    walls_.find(exec, rock, walls, skin_);
-    exec.for_each("store positions", rock.count(), StorePositions{rock.view()});
+  void rebuild(Exec& exec, Store& rock, const WallsNow& walls, double dt, double wall_step) {
+    const Index particles = rock.count();
+    const Flock flock = exec.template reduce<Flock>("sum speeds", particles, FlockOf{rock.read()});
+    smallest_radius_ = particles > 0 ? flock.smallest : 0;
+    speed_ = particles > 0 ? std::sqrt(flock.speed2 / particles) : 0;
+    wall_way_ = given_way_ > 0 ? given_way_ : (steps_wide + 1) * wall_step;
+    wide_.resize(static_cast<std::size_t>(particles));
+    exec.for_each("wide bounds", particles, SetWideBounds{rock.read(), dt, wide_ways(dt), wide_.data()});
+    candidates_.find(exec, rock, wide_.data());
+    walls_.find(exec, rock, walls, wide_.data(), wall_way_);
+    choose_pairs(exec, rock, dt);
     valid_ = true;
+  }
+
+  /// Chooses the pairs anew.
+  /// @return whether the candidates leave room for that
+  bool renew_pairs(Exec& exec, Store& rock, double dt) {
+    constexpr double enough = 0.5;
+    const Room room = exec.template reduce<Room>("room in bounds", rock.count(), RoomIn{close_bounds(rock, dt)});
+    if (room.smallest < enough) return false;
+    choose_pairs(exec, rock, dt);
+    return true;
   }
 
   /// Particles have come: empty rows for them, until the lists are rebuilt.
   void extend(Index particles) {
     pairs_.extend_rows(particles);
     walls_.extend_rows(particles);
-    valid_ = false;
+    invalidate(particles);
   }
   /// Particles have left.
   void keep(const Remaining& remaining) {
     pairs_.keep(remaining);
     walls_.keep(remaining);
-    valid_ = false;
+    invalidate(static_cast<Index>(remaining.old_index.size()));
   }
 
   void save(SavedState& to) const {
@@ -64,13 +85,34 @@ class NeighbourLists {
   void restore(Exec& exec, const SavedState& from, const Store& rock) {
     pairs_.restore(exec, from, rock);
     walls_.restore(from, rock.count());
-    valid_ = false;
+    invalidate(rock.count());
   }
 
  private:
-  double given_skin_, skin_ = 0, smallest_radius_ = 0;
+  static constexpr int steps_wide = 200, steps_close = 25;  ///< for which bounds are to hold
+
+  Ways wide_ways(double dt) const { return {steps_wide * dt, speed_, 0.1, 4, given_way_}; }
+  Ways close_ways(double dt) const { return {steps_close * dt, speed_, 0.01, 1, 0}; }
+  SetCloseBounds close_bounds(const Store& rock, double dt) {
+    return {rock.read(), dt, close_ways(dt), wide_.data(), close_.data()};
+  }
+
+  void choose_pairs(Exec& exec, Store& rock, double dt) {
+    close_.resize(static_cast<std::size_t>(rock.count()));
+    exec.for_each("close bounds", rock.count(), close_bounds(rock, dt));
+    pairs_.find(exec, rock, candidates_.table(), close_.data());
+  }
+
+  void invalidate(Index particles) {
+    close_.resize(static_cast<std::size_t>(particles));  // the next step compares with whatever they are
+    valid_ = false;
+  }
+
+  double given_way_, wall_way_ = 0, smallest_radius_ = 0;
+  double speed_ = 0;  ///< root mean square of all particles at the last rebuild [m/s]
   bool valid_ = false;
-  CellGrid<Exec> cells_;
+  typename Exec::template Buffer<Sphere> wide_, close_;  ///< bounds of all particles
+  CandidateList<Exec> candidates_;
   PairList<Exec, Real> pairs_;
   WallList<Exec, Real> walls_;
 };

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/errors.hpp"
-#include "core/dem/cell_grid.hpp"
+#include "core/dem/candidate_list.hpp"
 #include "core/dem/list_rows.hpp"
 #include "core/kernels/neighbours.hpp"
 
-#include <string>
 #include <utility>
 
 namespace gyro {
 
-/// Owns the pairs of particles that may touch, with their contact history and their forces.
+/// Owns the pairs of particles that may touch while they stay in their close bounds, with their contact history and their forces.
 template <class Exec, class Real>
 class PairList {
  public:
@@ -24,11 +22,14 @@ class PairList {
   PairView<Real> view() { return view_of<PairView<Real>>(now_); }
   ConstPairView<Real> read() const { return view_of<ConstPairView<Real>>(now_); }
 
-  /// Finds all pairs nearer than the skin; those that touched keep their history.
-  /// @throws StoppedByGuard for more than the list can number
-  void find(Exec& exec, const Store& rock, const Grid& grid, double skin) {
-    FindPairs find{rock.read(), grid, rock.bond_index(), skin, {nullptr, nullptr}};
-    const auto total = static_cast<std::size_t>(count_pairs(exec, rock.count(), find));
+  /// Finds the pairs among the candidates; those that touched keep their history.
+  /// @param bounds  close bounds of all particles
+  void find(Exec& exec, const Store& rock, const CandidateTable& candidates, const Sphere* bounds) {
+    const Index particles = rock.count();
+    first_pair_.resize(static_cast<std::size_t>(particles) + 1);
+    FindPairs find{rock.read(), rock.bond_index(), bounds, candidates, {first_pair_.data(), nullptr}};
+    exec.for_each("count pairs", particles, find);
+    const auto total = static_cast<std::size_t>(exec.exclusive_scan(particles, first_pair_.data()));
     std::swap(now_, old_);
     now_.at.swap(old_.at);  // only one list needs what belongs to ends
     now_.load.swap(old_.load);
@@ -39,7 +40,7 @@ class PairList {
     if (with_extra_) now_.extra.resize(total);
     now_.touching.resize(total);
     find.rows.entries = now_.pair.data();
-    if (total > 0) exec.for_each("find pairs", rock.count(), find);
+    if (total > 0) exec.for_each("find pairs", particles, find);
     list_ends(exec, rock);
     exec.for_each("carry history", count(),
                   CarryHistory<Real>{view(), view_of<ConstPairView<Real>>(old_), with_extra_});
@@ -90,19 +91,6 @@ class PairList {
  private:
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
-
-  /// Leaves the first pair of each particle in first_pair_.
-  Index count_pairs(Exec& exec, Index particles, FindPairs& find) {
-    constexpr std::int64_t maximum = 1'000'000'000;  // each has two ends, which are numbered too
-    first_pair_.resize(static_cast<std::size_t>(particles) + 1);
-    find.rows.counts = first_pair_.data();
-    exec.for_each("count pairs", particles, find);
-    const auto total = exec.template reduce<std::int64_t>("total pairs", particles, PairTotal{first_pair_.data()});
-    if (total > maximum)
-      throw StoppedByGuard(std::to_string(total) + " pairs of particles are near each other; at most " +
-                           std::to_string(maximum) + " can be listed");
-    return exec.exclusive_scan(particles, first_pair_.data());
-  }
 
   /// The two ends of each pair, in the rows of its particles.
   void list_ends(Exec& exec, const Store& rock) {

@@ -42,8 +42,7 @@ class ParticleStore {
   BondIndex bond_index() const {
     return {with_bonds_ ? bond_row_begin_.data() : nullptr,
             bond_row_.data(),
-            bonds_.i.data(),
-            bonds_.j.data(),
+            bond_partner_.data(),
             bonds_.state.data(),
             blocks_.data()};
   }
@@ -181,14 +180,17 @@ class ParticleStore {
         ++at(begin, j[b] + 1);
       }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<Index> row(static_cast<std::size_t>(begin.back())), next = begin;
+    std::vector<Index> row(static_cast<std::size_t>(begin.back())), partner(row.size()), next = begin;
+    const auto enter = [&](std::size_t b, Index particle, Index other) {
+      const Index place = at(next, particle)++;
+      at(row, place) = static_cast<Index>(b);
+      at(partner, place) = other;
+    };
     for (std::size_t b = 0; b < i.size(); ++b)
-      if (state[b] != bond_broken) {
-        at(row, at(next, i[b])++) = static_cast<Index>(b);
-        at(row, at(next, j[b])++) = static_cast<Index>(b);
-      }
+      if (state[b] != bond_broken) enter(b, i[b], j[b]), enter(b, j[b], i[b]);
     Exec::upload(bond_row_begin_, std::move(begin));
     Exec::upload(bond_row_, std::move(row));
+    Exec::upload(bond_partner_, std::move(partner));
   }
 
   bool with_bonds_;
@@ -196,7 +198,7 @@ class ParticleStore {
   Bonds<Buffer, Real> bonds_;
   Buffer<Block> blocks_;
   Buffer<Index> colour_begin_;               ///< first bond of each colour; a block has one entry more than colours
-  Buffer<Index> bond_row_begin_, bond_row_;  ///< BondIndex
+  Buffer<Index> bond_row_begin_, bond_row_, bond_partner_;  ///< BondIndex
   Buffer<Piece> pieces_, large_rows_;        ///< Pieces
   std::vector<LargeRock> large_rocks_;
   int max_substeps_ = 1;

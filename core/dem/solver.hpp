@@ -26,7 +26,7 @@ class DemSolver final : public Dem {
         exec_(std::move(exec)),
         laws_(scene_),
         rock_(scene_.bonds.has_value()),
-        lists_(scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()), keeps_extra_history(laws_.wall_model())),
+        lists_(0.5 * scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()), keeps_extra_history(laws_.wall_model())),
         walls_(scene_.walls),
         accounts_(scene_.walls.size(), scene_.wall_impulses) {}
 

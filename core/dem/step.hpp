@@ -88,11 +88,9 @@ void DemSolver<Exec, Real>::advance_large_rock(const Large& rock, Kernel kernel)
 
 template <class Exec, class Real>
 Move DemSolver<Exec, Real>::move() {
-  // Walls are seen half a step earlier by particles with sub-steps.
-  const double allowed = larger(lists_.allowed_distance() - (held() ? 0.5 * walls_.largest_step() : 0), 0.0);
   return {.p = rock_.view(),
           .dt = scene_.dt,
-          .allowed2 = allowed * allowed,
+          .bounds = lists_.bounds(),
           .stale = &monitor_.flags()->moved_too_far,
           .with_orientation = rock_.has_bonds(),
           .limits = scene_.limits,
@@ -116,20 +114,24 @@ void DemSolver<Exec, Real>::finish_step(bool kick) {
   exec_.for_each("finish step", rock_.count(), FinishStep<Real>{.gather = gather(), .dt = scene_.dt, .kick = kick});
 }
 
-/// Keeps the first excess of a limit, and rebuilds the neighbour lists if a particle or a wall has moved too far or a
-/// rock has cracked.
+/// Keeps the first excess of a limit, and makes the neighbour lists anew as far as particles or walls have moved too far
+/// for them or a rock has cracked.
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::watch() {
   const StepFlags flags = monitor_.raised();
   if (flags.limit_exceeded) keep_excess();
-  if (!lists_.valid() || flags.moved_too_far || flags.block_cracked || walls_.moved_beyond(lists_.allowed_distance()))
-    rebuild_lists();
+  // Walls are seen half a step earlier by particles with sub-steps.
+  const double wall_way = lists_.wall_way() - (held() ? 0.5 * walls_.way_of_step() : 0);
+  if (!lists_.valid() || flags.block_cracked || walls_.moved_beyond(wall_way)) return rebuild_lists();
+  if (!flags.moved_too_far) return;
+  if (!lists_.renew_pairs(exec_, rock_, scene_.dt)) return rebuild_lists();
+  monitor_.pairs_renewed();
 }
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::rebuild_lists() {
   accounts_.add_up(exec_, lists_.walls().entries());
-  lists_.rebuild(exec_, rock_, walls_.now());
+  lists_.rebuild(exec_, rock_, walls_.now(), scene_.dt, walls_.way_of_step());
   accounts_.set_entries(lists_.walls().count());
   walls_.store_listed();
   monitor_.lists_rebuilt();

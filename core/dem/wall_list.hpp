@@ -26,12 +26,14 @@ class WallList {
   ConstWallPairView<Real> read() const { return view_of<ConstWallPairView<Real>>(now_); }
   const Buffer<WallEntry>& entries() const { return now_.entry; }
 
-  /// Finds all walls nearer to a particle than the skin; those that touched keep their history.
-  void find(Exec& exec, const Store& rock, const WallsNow& walls, double skin) {
+  /// Finds all walls that a particle may touch while it stays in its bound; those that touched keep their history.
+  /// @param bounds  wide bounds of all particles
+  /// @param way     that walls may move meanwhile [m]
+  void find(Exec& exec, const Store& rock, const WallsNow& walls, const Sphere* bounds, double way) {
     const Index particles = rock.count();
     std::swap(now_, old_);
     now_.row_begin.resize(static_cast<std::size_t>(particles) + 1);
-    FindWalls find{rock.read(), walls, skin, {now_.row_begin.data(), nullptr}};
+    FindWalls find{bounds, walls, way, {now_.row_begin.data(), nullptr}};
     exec.for_each("count walls", particles, find);
     const auto total = static_cast<std::size_t>(exec.exclusive_scan(particles, now_.row_begin.data()));
     now_.entry.resize(total);
@@ -44,7 +46,8 @@ class WallList {
     if (total > 0) exec.for_each("find walls", particles, find);
     measure(exec, {.p = rock.read(),
                    .walls = walls,
-                   .skin = skin,
+                   .bounds = bounds,
+                   .way = way,
                    .entry = now_.entry.data(),
                    .clearance = nullptr,
                    .begin = nullptr});

@@ -7,6 +7,7 @@
 #include "core/scene/wall_motion.hpp"
 #include "core/scene/window.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace gyro {
@@ -31,6 +32,9 @@ class WallMotion {
     for (int k = 0; k <= window.steps; ++k)
       for (std::size_t w = 0; w < count; ++w) table_[static_cast<std::size_t>(k) * count + w] = pose_after(k, w);
     find_fastest(walls, window.dt);
+    way_of_step_ = 0;
+    for (std::size_t w = 0; w < count; ++w)
+      way_of_step_ = std::max(way_of_step_, moved(w, table_[w], table_[count + w]));
     Exec::upload(device_table_, table_);
     go_to_step(0);
   }
@@ -46,7 +50,10 @@ class WallMotion {
   /// For kernels.
   WallsNow now() const { return {surfaces_.data(), device_poses_, surfaces_.count()}; }
   const std::vector<WallPose>& poses() const { return poses_now_; }
-  double largest_step() const { return largest_step_; }  ///< largest distance that a wall moves in a step [m]
+  /// Largest distance that a wall moves in a step of the window, planes and rotation about a profile's axis included [m].
+  double way_of_step() const { return way_of_step_; }
+  /// The same of what sweeps against rock [m].
+  double largest_step() const { return largest_step_; }
   Index fastest() const { return fastest_; }             ///< the wall that does
 
   /// The neighbour lists hold for the present poses.
@@ -54,13 +61,8 @@ class WallMotion {
   /// Whether a wall has moved further since then [m].
   bool moved_beyond(double distance) const {
     GYRO_EXPECT(listed_poses_.size() == poses_now_.size());
-    for (std::size_t w = 0; w < poses_now_.size(); ++w) {
-      const WallPose &a = listed_poses_[w], &b = poses_now_[w];
-      const Quatd rotated = b.orientation * conjugate(a.orientation);
-      const double angle = 2 * norm(Vec3d{rotated.x, rotated.y, rotated.z});
-      const double moved = norm(b.origin - a.origin) + (angle > 0 ? surfaces_.extent(w) * 1.6 * angle : 0.0);
-      if (moved > distance) return true;
-    }
+    for (std::size_t w = 0; w < poses_now_.size(); ++w)
+      if (moved(w, listed_poses_[w], poses_now_[w]) > distance) return true;
     return false;
   }
 
@@ -74,6 +76,13 @@ class WallMotion {
   }
 
  private:
+  /// How far the points of a wall move from one pose to another, at most [m].
+  double moved(std::size_t wall, const WallPose& from, const WallPose& to) const {
+    const Quatd rotated = to.orientation * conjugate(from.orientation);
+    const double angle = 2 * norm(Vec3d{rotated.x, rotated.y, rotated.z});
+    return norm(to.origin - from.origin) + (angle > 0 ? surfaces_.extent(wall) * 1.6 * angle : 0.0);
+  }
+
   /// A motion's speed changes from window to window only.
   void find_fastest(const std::vector<Wall>& walls, double dt) {
     largest_step_ = 0;
@@ -88,7 +97,7 @@ class WallMotion {
   typename Exec::template Buffer<WallPose> device_table_;
   const WallPose* device_poses_ = nullptr;  ///< row of this step
   std::vector<WallPose> poses_now_, listed_poses_;
-  double largest_step_ = 0;
+  double largest_step_ = 0, way_of_step_ = 0;
   Index fastest_ = none;
 };
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <numeric>
@@ -24,7 +25,8 @@ namespace gyro {
 ///
 ///   for_each(label, n, kernel)             kernel(i) for i in [0, n), any order; no two calls write the same
 ///   for_each_picked(label, n, kernel)      kernel(lanes) over those i of [0, n) for which kernel.pick(i), called once
-///                                          each, is true; any order
+///                                          each, is true; any order. A kernel may have pick_each(pack) too, which
+///                                          says it of a pack of neighbouring i
 ///   for_each_block(label, launch, kernel)  kernel(lanes, k, pass) over the items of each block k, see below
 ///   for_each_colour(label, colours, kernel)  kernel(lanes) over the items of one large block, colour by colour
 ///   reduce(label, n, map)                  sum of map(i), added in a fixed order
@@ -235,18 +237,27 @@ class Cpu {
     static_assert(room % lanes == 0);
     Index picked[room];
     int count = 0;
-    for (Index i = range.begin; i < range.end; ++i) {
-      if (!kernel.pick(i)) continue;
+    const auto take = [&](Index i) {
       if constexpr (lanes == 1) {
         kernel(typename Kernel::Lane{i});
       } else {
         picked[count++] = i;
-        if (count == room) {
-          for (int k = 0; k < room; k += lanes) kernel(typename Kernel::Pack{picked + k});
-          count = 0;
-        }
+        if (count < room) return;
+        for (int k = 0; k < room; k += lanes) kernel(typename Kernel::Pack{picked + k});
+        count = 0;
+      }
+    };
+    Index i = range.begin;
+    if constexpr (lanes > 1 && requires { kernel.pick_each(typename Kernel::Pack{picked}); }) {
+      for (; i + lanes <= range.end; i += lanes) {
+        Index run[lanes];
+        std::iota(run, run + lanes, i);
+        for (std::uint32_t bits = kernel.pick_each(typename Kernel::Pack{run}); bits != 0; bits &= bits - 1)
+          take(i + std::countr_zero(bits));
       }
     }
+    for (; i < range.end; ++i)
+      if (kernel.pick(i)) take(i);
     int k = 0;
     if constexpr (lanes > 1)
       for (; k + lanes <= count; k += lanes) kernel(typename Kernel::Pack{picked + k});

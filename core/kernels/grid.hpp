@@ -7,13 +7,13 @@
 namespace gyro {
 
 /// One level of the search grid: cells for the spheres whose radius lies between half `bound` and
-/// `bound`. The table of cells is a torus: a cell's place is its coordinate modulo a power of two, so
+/// `bound`; the spheres are the bounds of particles (bounds.hpp). The table of cells is a torus: a cell's place is its coordinate modulo a power of two, so
 /// that one sphere a kilometre away neither makes the table large nor the search slow. Spheres that
 /// share a place without being neighbours are told apart by their distance.
 struct GridLevel {
   double bound;                  ///< largest radius that belongs to the level [m]
   double radius;                 ///< largest radius that is there, 0 if none [m]
-  double cell;                   ///< edge of a cell, at least 2 radius + skin [m]
+  double cell;                   ///< edge of a cell, at least 2 radius [m]
   Index mask_x, mask_y, mask_z;  ///< cells in each direction - 1; at least 3, so that neighbours differ
   Index first_cell;              ///< of the level in the table
 };
@@ -30,6 +30,7 @@ struct Grid {
   Index cells;        ///< of all levels
   Index* cell_begin;  ///< into `sorted`, cells + 1 numbers
   Index* sorted;      ///< particles by cell, then in their order
+  Sphere* sphere;     ///< their bounds, in the same order
 
   GYRO_HD int level_of(double radius) const {
     int l = 0;
@@ -49,13 +50,13 @@ struct Grid {
 
 /// Cell of each particle, as a key to sort by.
 struct CellKeys {
-  ConstParticleView p;
+  const Sphere* bounds;
   Grid grid;
   std::uint64_t* keys;
   Index* values;
 
   GYRO_HD void operator()(Index n) const {
-    const Sphere sphere = p.position[n];
+    const Sphere sphere = bounds[n];
     const GridLevel& g = grid.level[grid.level_of(sphere.radius)];
     const CellCoordinate c = Grid::coordinate(g, sphere.x);
     keys[n] = static_cast<std::uint64_t>(Grid::place(g, c.x, c.y, c.z));
@@ -63,7 +64,7 @@ struct CellKeys {
   }
 };
 
-/// Radii and extent of the particles, for the levels of the grid.
+/// Radii and extent of the bounds, for the levels of the grid.
 struct Extent {
   double smallest = 1e300, largest = 0;  ///< radius [m]
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -75,9 +76,9 @@ struct Extent {
   }
 };
 struct ExtentOf {
-  ConstParticleView p;
+  const Sphere* bounds;
   GYRO_HD Extent operator()(Index n) const {
-    const Sphere q = p.position[n];
+    const Sphere q = bounds[n];
     Extent e;
     e.smallest = e.largest = q.radius;
     if (norm2(q.x) < 1e300) e.low = e.high = q.x;  // a position that is not finite must not shrink the table
@@ -95,14 +96,22 @@ struct LevelRadii {
   }
 };
 struct LevelRadiiOf {
-  ConstParticleView p;
+  const Sphere* bounds;
   Grid grid;
   GYRO_HD LevelRadii operator()(Index n) const {
-    const double radius = p.position[n].radius;
+    const double radius = bounds[n].radius;
     LevelRadii r;
     r.largest[grid.level_of(radius)] = radius;
     return r;
   }
+};
+
+/// Bounds in the order of cells.
+struct SortBounds {
+  const Sphere* bounds;
+  Grid grid;
+
+  GYRO_HD void operator()(Index s) const { grid.sphere[s] = bounds[grid.sorted[s]]; }
 };
 
 /// How particles crowd in cells: what a search would cost.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/shared_counter.hpp"
+#include "core/kernels/bounds.hpp"
 #include "core/scene/scene.hpp"
 #include "core/state/particles.hpp"
 
@@ -18,8 +19,8 @@ GYRO_HD inline void half_kick(double dt, const Load& load, Motion& motion, Angul
 struct Move {
   ParticleView p;
   double dt;            ///< step of the scene, from one evaluation of contacts to the next [s]
-  double allowed2;      ///< square of the distance a particle may move before lists are stale [m2]
-  std::int32_t* stale;  ///< set to 1 by any particle that moved further
+  const Sphere* bounds;  ///< of particles: as long as none leaves its own the lists hold (bounds.hpp)
+  std::int32_t* stale;   ///< set to 1 by any particle that does
   bool with_orientation;
   StepLimits limits;
   std::int32_t* limit_exceeded;  ///< set to 1 by any particle beyond them
@@ -36,8 +37,7 @@ struct Move {
     p.motion[n] = motion;
     p.angular_motion[n] = angular;
     p.position[n] = sphere;
-    // Lists must hold for the positions that contacts see.
-    if (norm2(sphere.x + time_to_middle(dt, step) * motion.v - p.listed_position[n]) > allowed2) raise_flag(stale);
+    if (has_left(bounds[n], seen_centre(sphere.x, motion.v, dt, step), sphere.radius)) raise_flag(stale);
     const double allowed = limits.speed_ratio * sphere.radius;
     if (dt * dt * norm2(motion.v) > allowed * allowed || dt * dt * norm2(angular.w) > limits.rotation * limits.rotation)
       raise_flag(limit_exceeded);

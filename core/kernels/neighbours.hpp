@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/shared_counter.hpp"
+#include "core/kernels/bounds.hpp"
 #include "core/kernels/grid.hpp"
 #include "core/kernels/row_filler.hpp"
 #include "core/state/bonds.hpp"
@@ -9,24 +10,33 @@
 
 namespace gyro {
 
-/// Finds the pairs of a particle with those of its own level that have a higher id and with all of
+/// Table of the partners that a particle may touch while both stay in their wide bounds: a row a particle.
+struct CandidateTable {
+  Index room;      ///< partners that a row has place for
+  Index* count;    ///< of each row; more than it has place for: the table must be larger
+  Index* partner;  ///< row by row
+
+  GYRO_HD Index* row(Index n) const { return partner + static_cast<std::int64_t>(n) * room; }
+};
+
+/// Finds the candidates of a particle among those of its own level that have a higher id and among all of
 /// coarser levels: every pair of the scene once.
-struct FindPairs {
+struct FindCandidates {
   ConstParticleView p;
   Grid grid;
   BondIndex bonds;
-  double skin;
-  RowFiller<Pair> rows;
+  const Sphere* bounds;
+  CandidateTable table;
 
   GYRO_HD void operator()(Index n) const {
-    const Sphere sphere = p.position[n];
+    const Sphere sphere = bounds[n];
     const int own = grid.level_of(sphere.radius);
     Index found = 0;
     for (int l = 0; l <= own; ++l) {
       const GridLevel& g = grid.level[l];
       if (g.radius == 0) continue;
       // At most three cells in each direction: the reach is no larger than a cell.
-      const double reach = sphere.radius + g.radius + skin;
+      const double reach = sphere.radius + g.radius;
       const Vec3d corner{reach, reach, reach};
       const CellCoordinate low = Grid::coordinate(g, sphere.x - corner), high = Grid::coordinate(g, sphere.x + corner);
       const int nx = span(low.x, high.x), ny = span(low.y, high.y), nz = span(low.z, high.z);
@@ -35,10 +45,10 @@ struct FindPairs {
           for (int x = 0; x <= nx; ++x) {
             const Index cell = Grid::place(g, low.x + x, low.y + y, low.z + z);
             for (Index s = grid.cell_begin[cell]; s < grid.cell_begin[cell + 1]; ++s)
-              consider(n, sphere, grid.sorted[s], l == own, found);
+              if (reach_each_other(sphere, grid.sphere[s])) consider(n, grid.sorted[s], l == own, found);
           }
     }
-    rows.end_row(n, found);
+    table.count[n] = found;
   }
 
  private:
@@ -47,28 +57,51 @@ struct FindPairs {
     const std::int64_t more = high - low;
     return more > 2 ? 2 : more < 0 ? 0 : static_cast<int>(more);
   }
-  GYRO_HD void consider(Index n, const Sphere& sphere, Index other, bool same_level, Index& found) const {
+  GYRO_HD void consider(Index n, Index other, bool same_level, Index& found) const {
     if (other == n || (same_level && p.id[other] < p.id[n])) return;
-    const Sphere partner = p.position[other];
-    const double reach = sphere.radius + partner.radius + skin;
-    if (!(norm2(partner.x - sphere.x) < reach * reach)) return;  // nor a partner that is not finite
-    Index bond = none;
-    if (bonds.blocks != nullptr && p.block[n] == p.block[other] && p.block[n] != none) {
-      bond = bond_between(n, other);
-      if (bond != none && bonds.blocks[p.block[n]].state == block_intact) return;  // it cannot come apart yet
-    }
-    const bool lower = p.id[n] < p.id[other];
-    rows.add(n, found, {lower ? n : other, lower ? other : n, bond});
+    if (bonds.in_one_rock(p.block[n], p.block[other]) && bonds.blocks[p.block[n]].state == block_intact &&
+        bonds.between(n, other) != none)
+      return;  // they cannot come apart yet
+    if (found < table.room) table.row(n)[found] = other;
+    ++found;
+  }
+};
+
+/// Length of the rows of candidates.
+struct CandidateCount {
+  std::int64_t total = 0;
+  Index longest = 0;
+  GYRO_HD friend CandidateCount operator+(const CandidateCount& a, const CandidateCount& b) {
+    return {a.total + b.total, a.longest > b.longest ? a.longest : b.longest};
+  }
+};
+struct CandidateCountOf {
+  const Index* count;
+  GYRO_HD CandidateCount operator()(Index n) const { return {count[n], count[n]}; }
+};
+
+/// Finds the pairs among the candidates that may touch while both stay in their close bounds.
+struct FindPairs {
+  ConstParticleView p;
+  BondIndex bonds;
+  const Sphere* bounds;
+  CandidateTable candidates;
+  RowFiller<Pair> rows;
+
+  GYRO_HD void operator()(Index n) const {
+    const Sphere sphere = bounds[n];
+    const Index* partner = candidates.row(n);
+    Index found = 0;
+    for (Index k = 0; k < candidates.count[n] && !rows.is_full(n, found); ++k)
+      if (reach_each_other(sphere, bounds[partner[k]])) rows.add(n, found, pair_of(n, partner[k]));
+    rows.end_row(n, found);
   }
 
-  GYRO_HD Index bond_between(Index n, Index other) const {
-    if (bonds.begin == nullptr) return none;
-    for (Index k = bonds.begin[n]; k < bonds.begin[n + 1]; ++k) {
-      const Index b = bonds.bond[k];
-      const Index partner = bonds.i[b] == n ? bonds.j[b] : bonds.i[b];
-      if (partner == other) return bonds.state[b] == bond_broken ? none : b;
-    }
-    return none;
+ private:
+  GYRO_HD Pair pair_of(Index n, Index other) const {
+    const bool lower = p.id[n] < p.id[other];
+    const Index bond = bonds.in_one_rock(p.block[n], p.block[other]) ? bonds.between(n, other) : none;
+    return {lower ? n : other, lower ? other : n, bond};
   }
 };
 
@@ -156,12 +189,6 @@ struct CarryHistory {
       return;
     }
   }
-};
-
-/// Stores where the particles are, to know when the lists are stale.
-struct StorePositions {
-  ParticleView p;
-  GYRO_HD void operator()(Index n) const { p.listed_position[n] = p.position[n].x; }
 };
 
 }  // namespace gyro

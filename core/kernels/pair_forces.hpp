@@ -4,12 +4,13 @@
 #include "core/kernels/pair_lane.hpp"
 #include "core/state/bonds.hpp"
 
+#include <bit>
 #include <type_traits>
 
 namespace gyro {
 
 /// Contact of two particles: loads into the slots of the pair's two ends. A kernel for Exec::for_each_picked:
-/// neighbours are looked at one by one, and those that touch are evaluated several at a time.
+/// neighbours are looked at, and those that touch are evaluated, several at a time.
 /// @tparam Law   a ContactLaw
 /// @tparam held  some particles have sub-steps, over which forces are held
 template <class Real, class Law, bool held>
@@ -31,18 +32,32 @@ struct PairForces {
     const double sum = p.position[pair.i].radius + p.position[pair.j].radius, sum2 = sum * sum;
     const double distance2 = norm2(centre(pair.j) - centre(pair.i));
     // The root is needed only where its rounding decides. A NaN does not touch; the guard reports it.
-    const bool touches = distance2 < (1 - 1e-15) * sum2 || (distance2 < sum2 && ::sqrt(distance2) < sum);
-    const bool bonded = pair.bond != none && bond_state[pair.bond] != bond_broken;
-    if (touches && !bonded) {
-      if (!pairs.touching[n]) set_touching(n, 1);
-      return true;
+    const bool overlap = distance2 < surely * sum2 || (distance2 < sum2 && ::sqrt(distance2) < sum);
+    const bool touches = overlap && !is_bonded(pair);
+    if (touches != (pairs.touching[n] != 0)) set_touching(n, touches);
+    return touches;
+  }
+
+  /// The same for the pairs of a pack. @return bit k is set if pair k of them touches
+  template <class Lanes>
+  GYRO_FLATTEN std::uint32_t pick_each(const Lanes& lanes) const {
+    using D = typename Lanes::template Number<double>;
+    const auto i = lanes.index(pairs.pair, &Pair::i), j = lanes.index(pairs.pair, &Pair::j);
+    ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
+    if constexpr (held) {  // as centre()
+      a.vector = a.vector + D(0.5) * (D(dt) - lanes.at(p.step, i)) * lanes.row(p.motion, i).vector;
+      b.vector = b.vector + D(0.5) * (D(dt) - lanes.at(p.step, j)) * lanes.row(p.motion, j).vector;
     }
-    if (pairs.touching[n]) {
-      set_touching(n, 0);
-      pairs.history[n] = {};
-      if constexpr (Law::keeps_extra_history) pairs.extra[n] = {};
+    const D sum = a.number + b.number, sum2 = sum * sum, distance2 = norm2(b.vector - a.vector);
+    const std::uint32_t overlap = bits_of(distance2 < D(surely) * sum2), near = bits_of(distance2 < sum2);
+    std::uint32_t touches = overlap;
+    // One by one: where rounding decides, or a bond, or something changes.
+    std::uint32_t asks = (near ^ overlap) | (overlap ^ lanes.flags(pairs.touching)) | (overlap & with_bonds(lanes));
+    for (; asks != 0; asks &= asks - 1) {
+      const int k = std::countr_zero(asks);
+      touches = (touches & ~(1u << k)) | (pick(lanes.n[k]) ? 1u << k : 0u);
     }
-    return false;
+    return touches;
   }
 
   template <class Lanes>
@@ -79,10 +94,23 @@ struct PairForces {
   }
 
  private:
+  static constexpr double surely = 1 - 1e-15;  ///< of a sum's square: nearer ones touch, whatever a root is rounded to
+
   GYRO_HD Vec3d centre(Index particle) const { return contact_centre<held>(p, particle, dt); }
-  GYRO_HD void set_touching(Index n, std::int8_t touching) const {
-    pairs.touching[n] = touching;
-    pairs.loaded[pairs.at[n].i] = pairs.loaded[pairs.at[n].j] = touching;
+  GYRO_HD bool is_bonded(const Pair& pair) const { return pair.bond != none && bond_state[pair.bond] != bond_broken; }
+  template <class Lanes>
+  std::uint32_t with_bonds(const Lanes& lanes) const {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < Lanes::count; ++k) bits |= (pairs.pair[lanes.n[k]].bond != none ? 1u : 0u) << k;
+    return bits;
+  }
+  /// A pair that has come apart forgets its history.
+  GYRO_HD void set_touching(Index n, bool touches) const {
+    const std::int8_t flag = touches ? 1 : 0;
+    pairs.touching[n] = pairs.loaded[pairs.at[n].i] = pairs.loaded[pairs.at[n].j] = flag;
+    if (touches) return;
+    pairs.history[n] = {};
+    if constexpr (Law::keeps_extra_history) pairs.extra[n] = {};
   }
 
   /// @param arm_a, arm_b  from the centres to the contact point [m]

@@ -38,6 +38,12 @@ struct PackOfRows {
   bool any(const PackMask<T, N>& m) const {
     return any_bit(m.v);
   }
+  /// Bit k is set for row n[k], if its flag is 1 (and not 0).
+  std::uint32_t flags(const std::int8_t* column) const {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < N; ++k) bits |= static_cast<std::uint32_t>(column[n[k]]) << k;
+    return bits;
+  }
 };
 
 }  // namespace gyro

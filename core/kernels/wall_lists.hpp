@@ -9,20 +9,20 @@
 
 namespace gyro {
 
-/// Finds the walls that each particle is near to.
+/// Finds the walls that each particle may touch while it stays in its bound.
 struct FindWalls {
-  ConstParticleView p;
+  const Sphere* bounds;
   WallsNow walls;
-  double skin;
+  double way;  ///< that walls may move meanwhile [m]
   RowFiller<WallEntry> rows;
 
   GYRO_HD void operator()(Index n) const {
-    const Sphere sphere = p.position[n];
+    const Sphere bound = bounds[n];
     Index found = 0;
     for (Index w = 0; w < walls.count && !rows.is_full(n, found); ++w) {
-      const Vec3d centre = to_body(walls.poses[w], sphere.x);
+      const Vec3d centre = to_body(walls.poses[w], bound.x);
       SegmentRange range{0, 0};
-      if (near(walls.surfaces[w], centre, sphere.radius + skin, range)) rows.add(n, found, {n, w, range});
+      if (near(walls.surfaces[w], centre, bound.radius + way, range)) rows.add(n, found, {n, w, range});
     }
     rows.end_row(n, found);
   }
@@ -78,7 +78,8 @@ struct ListNearest {
 struct MeasureWalls {
   ConstParticleView p;
   WallsNow walls;
-  double skin;
+  const Sphere* bounds;
+  double way;  ///< as in FindWalls [m]
   WallEntry* entry;
   WallClearance* clearance;
   Index* begin;  ///< of the entry's triangles; counting run: how many, at least
@@ -87,27 +88,28 @@ struct MeasureWalls {
 
   GYRO_HD void operator()(Index n) const {
     const WallSurface& wall = walls.surfaces[entry[n].wall];
-    const Sphere sphere = p.position[entry[n].particle];
-    const Vec3d centre = to_body(walls.poses[entry[n].wall], sphere.x);
+    const Sphere bound = bounds[entry[n].particle];
+    const double radius = p.position[entry[n].particle].radius, reach = bound.radius + way;
+    const Vec3d centre = to_body(walls.poses[entry[n].wall], bound.x);
     const bool counts = triangle == nullptr;
     // Planes of triangles are known to 1e-7 rad (mesh_grid.cpp), both here and when a distance is computed again.
     const double rounding = 4e-7 * wall.extent;
     double gap = 0;
     Index triangles = 0;
     if (wall.kind == WallKind::mesh) {
-      ListNearest list{wall.mesh.triangles, centre, sphere.radius, sphere.radius + skin, rounding, nullptr, nullptr};
+      ListNearest list{wall.mesh.triangles, centre, radius, reach, rounding, nullptr, nullptr};
       if (!counts) {
         list.ids = triangle + begin[n];
         list.gaps = triangle_gap + begin[n];
       }
-      visit_near(wall.mesh, centre, list.reach, list);
+      visit_near(wall.mesh, centre, reach, list);
       triangles = list.count;
       if (!counts) {
         entry[n].range = {begin[n], begin[n] + triangles};
         gap = triangles > 0 ? list.gaps[0] : 0;
       }
     } else if (wall.kind == WallKind::profile) {
-      gap = profile_gap(wall.profile, entry[n].range, centre, sphere.radius + skin) - sphere.radius - rounding;
+      gap = profile_gap(wall.profile, entry[n].range, centre, reach) - radius - rounding;
     }
     if (counts)
       begin[n] = triangles;

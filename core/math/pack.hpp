@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
 
 // Packs: N numbers that a CPU core works on at once, with the operators of one number, so that
 // a law written for one bond serves N. GCC's and clang's vector types do the work; a processor
@@ -67,6 +70,21 @@ bool any_bit(const Vector& v) {
   std::memcpy(words, &v, sizeof v);
   for (const std::uint64_t w : words) all |= w;
   return all != 0;
+}
+
+/// Bit k is set if lane k is true.
+template <class T, int N>
+std::uint32_t bits_of(const PackMask<T, N>& m) {
+#if defined(__AVX512DQ__)
+  if constexpr (sizeof m.v == 64 && sizeof(T) == 8) return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m.v));
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof m.v == 32 && sizeof(T) == 8)
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m.v)));
+#endif
+  std::uint32_t bits = 0;
+  for (int k = 0; k < N; ++k) bits |= (m[k] ? 1u : 0u) << k;
+  return bits;
 }
 
 template <class T, int N>

@@ -91,9 +91,20 @@ static_assert(declares_every_field<Block>);
 struct BondIndex {
   const Index* begin;  ///< null without bonds
   const Index* bond;
-  const Index *i, *j;         ///< as in Bonds
+  const Index* partner;       ///< at the other end of each
   const std::int32_t* state;  ///< as in Bonds
   const Block* blocks;        ///< null without rocks
+
+  /// @param block_a, block_b  of two particles; none for a sphere that belongs to no rock
+  GYRO_HD bool in_one_rock(Index block_a, Index block_b) const {
+    return begin != nullptr && block_a == block_b && block_a != none;
+  }
+  /// The bond of two particles, or none if they have none or it is broken.
+  GYRO_HD Index between(Index a, Index b) const {
+    for (Index k = begin[a]; k < begin[a + 1]; ++k)
+      if (partner[k] == b) return state[bond[k]] == bond_broken ? none : bond[k];
+    return none;
+  }
 };
 
 /// A bond that failed, as the kernel saw it.

@@ -95,7 +95,6 @@ struct Particles {
   Column<Load> load;              ///< total at the present position, gravity included
   Column<Load> bond_load;         ///< from bonds alone; empty without bonds
   Column<double> step;            ///< of its rock: the scene's over its sub-steps [s]
-  Column<Vec3d> listed_position;  ///< centre when the neighbour lists were built [m]
   Column<LostWork> losses;
   Column<double> damping_rate;  ///< of its contacts in their last evaluation: sum of ContactLoad::dashpot / mass [1/s]
   Column<ParticleId> id;
@@ -114,7 +113,6 @@ struct Particles {
     f("angular_motion", p.angular_motion...);
     f("load", p.load...);
     f("step", p.step...);
-    f("listed_position", p.listed_position...);
     f("losses", p.losses...);
     f("damping_rate", p.damping_rate...);
     f("id", p.id...);

@@ -161,8 +161,8 @@ TEST_CASE("A state of the other precision, or with a column missing or too short
   SavedState missing = saved, shorter = saved;
   missing.columns().erase("particles/angular_motion/velocity");
   CHECK_THROWS_WITH(dem->restore(missing), Catch::Matchers::Contains("particles/angular_motion/velocity"));
-  std::vector<Vec3d> positions = shorter.get<Vec3d>("particles/listed_position");
-  positions.pop_back();
-  shorter.put("particles/listed_position", positions);
-  CHECK_THROWS_WITH(dem->restore(shorter), Catch::Matchers::Contains("rows of particles/listed_position"));
+  std::vector<double> steps = shorter.get<double>("particles/step");
+  steps.pop_back();
+  shorter.put("particles/step", steps);
+  CHECK_THROWS_WITH(dem->restore(shorter), Catch::Matchers::Contains("rows of particles/step"));
 }
