@@ -71,37 +71,29 @@ struct PackLanes {
   template <class Real>
   void add(Load* rows, const Pack<Index, N>& i, const Pack<Index, N>& j, const Pack<std::int32_t, N>& state,
            const BondLoad<Pack<Real, N>>& load, const Pack<Real, N>& slip_work) const {
+    using Rows = RowsOfFour<Real, N>;
     const Pack<Real, N> zero(0);
-    const Pack<Real, N> at_i[8] = {-load.force.x,   -load.force.y,   -load.force.z,   load.damped,
-                                   load.torque_i.x, load.torque_i.y, load.torque_i.z, slip_work};
-    const Pack<Real, N> at_j[8] = {load.force.x,    load.force.y,    load.force.z,    zero,
-                                   load.torque_j.x, load.torque_j.y, load.torque_j.z, zero};
-    alignas(64) Real rows_i[N][8], rows_j[N][8];
-    transpose(at_i, rows_i);
-    transpose(at_j, rows_j);
+    const Rows forces_i(-load.force.x, -load.force.y, -load.force.z, load.damped),
+        torques_i(load.torque_i.x, load.torque_i.y, load.torque_i.z, slip_work);
+    const Rows forces_j(load.force.x, load.force.y, load.force.z, zero),
+        torques_j(load.torque_j.x, load.torque_j.y, load.torque_j.z, zero);
     for (int k = 0; k < N; ++k) {
       if (state.v[k] == bond_broken) continue;
-      add_row(rows[i.v[k]], rows_i[k]);
-      add_row(rows[j.v[k]], rows_j[k]);
+      add_row(rows[i.v[k]], forces_i.row[k], torques_i.row[k]);
+      add_row(rows[j.v[k]], forces_j.row[k], torques_j.row[k]);
     }
   }
 
  private:
-  template <class Real>
-  static void transpose(const Pack<Real, N> (&columns)[8], Real (&rows)[N][8]) {
-    for (int c = 0; c < 8; ++c)
-      for (int k = 0; k < N; ++k) rows[k][c] = columns[c].v[k];
-  }
   /// Load is a row of eight doubles: force, damped, torque, slipped.
-  template <class Real>
-  static void add_row(Load& load, const Real (&row)[8]) {
-    static_assert(sizeof(Load) == 8 * sizeof(double));
-    Pack<double, 8> sum;
-    Pack<Real, 8> more;
-    std::memcpy(&sum.v, &load, sizeof sum.v);
-    std::memcpy(&more.v, row, sizeof more.v);
-    sum = sum + pack_cast<double>(more);
-    std::memcpy(static_cast<void*>(&load), &sum.v, sizeof sum.v);
+  template <class Half>
+  static void add_row(Load& load, const Half& force, const Half& torque) {
+    static_assert(sizeof(Load) == 2 * sizeof(Four<double>));
+    Four<double> sum[2];
+    std::memcpy(sum, &load, sizeof sum);
+    sum[0] += __builtin_convertvector(force, Four<double>);
+    sum[1] += __builtin_convertvector(torque, Four<double>);
+    std::memcpy(static_cast<void*>(&load), sum, sizeof sum);
   }
 };
 

@@ -20,9 +20,9 @@ Four<double> whole_row(const Row* rows, Index row) {
   return v;
 }
 
-/// The columns of N rows of four doubles, as packs of T. Rows are loaded whole and transposed in registers: half the
+/// The columns of N rows of four numbers, as packs of T. Rows are loaded whole and transposed in registers: half the
 /// instructions of a gather number by number.
-/// @param row  row(k) is row k, a Four<double>
+/// @param row  row(k) is row k, a Four of any number type
 template <class T, int N, class RowOf>
 ParticleRow<Pack<T, N>> row_columns(const RowOf& row) {
   const auto r = [&](int k) { return __builtin_convertvector(row(k), Four<T>); };
@@ -63,5 +63,40 @@ ParticleRow<Pack<T, N>> row_columns(const RowOf& row) {
             P{__builtin_shufflevector(zw01, zw23, 2, 3, 10, 11, 6, 7, 14, 15)}};
   }
 }
+
+/// The way back: N rows of four numbers from their columns.
+template <class T, int N>
+struct RowsOfFour {
+  Four<T> row[N];
+
+  RowsOfFour(const Pack<T, N>& x, const Pack<T, N>& y, const Pack<T, N>& z, const Pack<T, N>& w) {
+    if constexpr (N == 4) {
+      const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 4, 1, 5), xy23 = __builtin_shufflevector(x.v, y.v, 2, 6, 3, 7);
+      const auto zw01 = __builtin_shufflevector(z.v, w.v, 0, 4, 1, 5), zw23 = __builtin_shufflevector(z.v, w.v, 2, 6, 3, 7);
+      row[0] = __builtin_shufflevector(xy01, zw01, 0, 1, 4, 5);
+      row[1] = __builtin_shufflevector(xy01, zw01, 2, 3, 6, 7);
+      row[2] = __builtin_shufflevector(xy23, zw23, 0, 1, 4, 5);
+      row[3] = __builtin_shufflevector(xy23, zw23, 2, 3, 6, 7);
+    } else {
+      static_assert(N == 8);
+      // Of x0 y0 x2 y2 x4 y4 x6 y6, ...: rows 0 and 4, 2 and 6, 1 and 5, 3 and 7.
+      const auto xy_even = __builtin_shufflevector(x.v, y.v, 0, 8, 2, 10, 4, 12, 6, 14),
+                 xy_odd = __builtin_shufflevector(x.v, y.v, 1, 9, 3, 11, 5, 13, 7, 15);
+      const auto zw_even = __builtin_shufflevector(z.v, w.v, 0, 8, 2, 10, 4, 12, 6, 14),
+                 zw_odd = __builtin_shufflevector(z.v, w.v, 1, 9, 3, 11, 5, 13, 7, 15);
+      set(0, 4, __builtin_shufflevector(xy_even, zw_even, 0, 1, 8, 9, 4, 5, 12, 13));
+      set(2, 6, __builtin_shufflevector(xy_even, zw_even, 2, 3, 10, 11, 6, 7, 14, 15));
+      set(1, 5, __builtin_shufflevector(xy_odd, zw_odd, 0, 1, 8, 9, 4, 5, 12, 13));
+      set(3, 7, __builtin_shufflevector(xy_odd, zw_odd, 2, 3, 10, 11, 6, 7, 14, 15));
+    }
+  }
+
+ private:
+  template <class Two>
+  void set(int a, int b, const Two& rows) {
+    row[a] = __builtin_shufflevector(rows, rows, 0, 1, 2, 3);
+    row[b] = __builtin_shufflevector(rows, rows, 4, 5, 6, 7);
+  }
+};
 
 }  // namespace gyro
