@@ -5,6 +5,8 @@
 #include "core/kernels/particle_row.hpp"
 #include "core/math/pack.hpp"
 
+#include <utility>
+
 namespace gyro {
 
 /// Four numbers side by side.
@@ -18,6 +20,19 @@ Four<double> whole_row(const Row* rows, Index row) {
   Four<double> v;
   std::memcpy(&v, rows + row, sizeof v);
   return v;
+}
+
+/// The k-th vector of those that lie side by side from `first` on. One at a time: compilers copy arrays of vectors
+/// number by number.
+template <class Vector>
+Vector vector_at(const void* first, int k) {
+  Vector v;
+  std::memcpy(&v, static_cast<const char*>(first) + k * static_cast<int>(sizeof v), sizeof v);
+  return v;
+}
+template <class Vector>
+void store_vector(void* first, int k, const Vector& v) {
+  std::memcpy(static_cast<char*>(first) + k * static_cast<int>(sizeof v), &v, sizeof v);
 }
 
 /// The columns of N rows of four doubles, as packs of T. Rows are loaded whole and transposed in registers: half the
@@ -62,6 +77,78 @@ ParticleRow<Pack<T, N>> row_columns(const RowOf& row) {
              P{__builtin_shufflevector(zw01, zw23, 0, 1, 8, 9, 4, 5, 12, 13)}},
             P{__builtin_shufflevector(zw01, zw23, 2, 3, 10, 11, 6, 7, 14, 15)}};
   }
+}
+
+/// The same for N rows that lie side by side: fewer instructions, because two rows are loaded at once.
+template <int N, class Row>
+ParticleRow<Pack<double, N>> neighbour_columns(const Row* rows) {
+  static_assert(sizeof(Row) == sizeof(Four<double>));
+  using P = Pack<double, N>;
+  if constexpr (N == 4) {
+    return row_columns<double, N>([&](int k) { return whole_row(rows, k); });
+  } else {
+    static_assert(N == 8);
+    const auto two = [&](int k) { return vector_at<typename P::Vector>(rows, k); };
+    // x0 x1 x2 x3 y0 y1 y2 y3, ...
+    const auto xy03 = __builtin_shufflevector(two(0), two(1), 0, 4, 8, 12, 1, 5, 9, 13),
+               zw03 = __builtin_shufflevector(two(0), two(1), 2, 6, 10, 14, 3, 7, 11, 15),
+               xy47 = __builtin_shufflevector(two(2), two(3), 0, 4, 8, 12, 1, 5, 9, 13),
+               zw47 = __builtin_shufflevector(two(2), two(3), 2, 6, 10, 14, 3, 7, 11, 15);
+    return {{P{__builtin_shufflevector(xy03, xy47, 0, 1, 2, 3, 8, 9, 10, 11)},
+             P{__builtin_shufflevector(xy03, xy47, 4, 5, 6, 7, 12, 13, 14, 15)},
+             P{__builtin_shufflevector(zw03, zw47, 0, 1, 2, 3, 8, 9, 10, 11)}},
+            P{__builtin_shufflevector(zw03, zw47, 4, 5, 6, 7, 12, 13, 14, 15)}};
+  }
+}
+
+/// The way back.
+template <int N, class Row>
+void store_neighbours(Row* rows, const ParticleRow<Pack<double, N>>& columns) {
+  static_assert(sizeof(Row) == sizeof(Four<double>));
+  const auto &x = columns.vector.x.v, &y = columns.vector.y.v, &z = columns.vector.z.v, &w = columns.number.v;
+  if constexpr (N == 4) {
+    // x0 y0 x2 y2, ...
+    const auto xy02 = __builtin_shufflevector(x, y, 0, 4, 2, 6), xy13 = __builtin_shufflevector(x, y, 1, 5, 3, 7),
+               zw02 = __builtin_shufflevector(z, w, 0, 4, 2, 6), zw13 = __builtin_shufflevector(z, w, 1, 5, 3, 7);
+    store_vector(rows, 0, __builtin_shufflevector(xy02, zw02, 0, 1, 4, 5));
+    store_vector(rows, 1, __builtin_shufflevector(xy13, zw13, 0, 1, 4, 5));
+    store_vector(rows, 2, __builtin_shufflevector(xy02, zw02, 2, 3, 6, 7));
+    store_vector(rows, 3, __builtin_shufflevector(xy13, zw13, 2, 3, 6, 7));
+  } else {
+    static_assert(N == 8);
+    // x0 y0 x1 y1 x2 y2 x3 y3, ...
+    const auto xy03 = __builtin_shufflevector(x, y, 0, 8, 1, 9, 2, 10, 3, 11),
+               zw03 = __builtin_shufflevector(z, w, 0, 8, 1, 9, 2, 10, 3, 11),
+               xy47 = __builtin_shufflevector(x, y, 4, 12, 5, 13, 6, 14, 7, 15),
+               zw47 = __builtin_shufflevector(z, w, 4, 12, 5, 13, 6, 14, 7, 15);
+    store_vector(rows, 0, __builtin_shufflevector(xy03, zw03, 0, 1, 8, 9, 2, 3, 10, 11));
+    store_vector(rows, 1, __builtin_shufflevector(xy03, zw03, 4, 5, 12, 13, 6, 7, 14, 15));
+    store_vector(rows, 2, __builtin_shufflevector(xy47, zw47, 0, 1, 8, 9, 2, 3, 10, 11));
+    store_vector(rows, 3, __builtin_shufflevector(xy47, zw47, 4, 5, 12, 13, 6, 7, 14, 15));
+  }
+}
+
+namespace row_columns_detail {
+
+/// Every third number from the first-th on of 3 N numbers.
+template <int first, int... k, class Vector>
+auto every_third(const Vector& a, const Vector& b, const Vector& c, std::integer_sequence<int, k...>) {
+  constexpr int N = sizeof...(k);
+  const auto low = __builtin_shufflevector(a, b, (first + 3 * k < 2 * N ? first + 3 * k : 0)...);
+  return Pack<double, N>{__builtin_shufflevector(low, c, (first + 3 * k < 2 * N ? k : first + 3 * k - N)...)};
+}
+
+}  // namespace row_columns_detail
+
+/// The columns of N vectors that lie side by side.
+template <int N>
+Vec3<Pack<double, N>> vector_columns(const Vec3d* rows) {
+  using Vector = typename Pack<double, N>::Vector;
+  static_assert(sizeof(Vec3d) * N == 3 * sizeof(Vector));
+  const Vector a = vector_at<Vector>(rows, 0), b = vector_at<Vector>(rows, 1), c = vector_at<Vector>(rows, 2);
+  using row_columns_detail::every_third;
+  const auto lanes = std::make_integer_sequence<int, N>{};
+  return {every_third<0>(a, b, c, lanes), every_third<1>(a, b, c, lanes), every_third<2>(a, b, c, lanes)};
 }
 
 }  // namespace gyro
