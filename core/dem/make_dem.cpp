@@ -5,6 +5,7 @@
 #include "core/exec/cpu.hpp"
 #include "core/kernels/bond_pack.hpp"
 #include "core/kernels/pair_pack.hpp"
+#include "core/kernels/particle_pack.hpp"
 #include "core/kernels/wall_pack.hpp"
 
 namespace gyro {

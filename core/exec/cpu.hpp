@@ -36,10 +36,10 @@ namespace gyro {
 ///   host_team()                            threads for work on the host; null without any
 ///
 /// A kernel over blocks says how its work lies: rows(k) are prepared first, by prepare(row, k, pass); items(k) are then
-/// worked on as if one after the other; both passes(k) times. A CPU core takes Kernel::Pack::count items at a time, a
-/// GPU takes one item a thread (Kernel::Lane) and all items of a colour at once, for the colours(k) in their order.
-/// Rows of blocks are disjoint and ascend with k. The colours of a large block are given as the begins of their ranges
-/// of items.
+/// worked on as if one after the other; both passes(k) times. A CPU core takes Kernel::Pack::count items at a time, and
+/// rows by prepare(RowPack{row}, k, pass), Kernel::RowPack::count at a time, the last ones one by one. A GPU takes one
+/// item a thread (Kernel::Lane) and all items of a colour at once, for the colours(k) in their order. Rows of blocks
+/// are disjoint and ascend with k. The colours of a large block are given as the begins of their ranges of items.
 ///
 /// A buffer has size(), data() and resize(n), which keeps what is there and sets what is new to zero.
 /// Its elements are read and written by kernels or through the last four operations only. Kernels get
@@ -222,11 +222,14 @@ class Cpu {
   template <class Kernel>
   static void work_on_block(Index k, const Kernel& kernel) {
     using Pack = typename Kernel::Pack;
+    using RowPack = typename Kernel::RowPack;
     const IndexRange rows = kernel.rows(k), items = kernel.items(k);
     GYRO_EXPECT(rows.begin <= rows.end && (items.end - items.begin) % Pack::count == 0);
     const int passes = kernel.passes(k);
     for (int pass = 0; pass < passes; ++pass) {
-      for (Index row = rows.begin; row < rows.end; ++row) kernel.prepare(row, k, pass);
+      Index row = rows.begin;
+      for (; row + RowPack::count <= rows.end; row += RowPack::count) kernel.prepare(RowPack{row}, k, pass);
+      for (; row < rows.end; ++row) kernel.prepare(row, k, pass);
       for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k, pass);
     }
   }

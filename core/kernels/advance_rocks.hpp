@@ -26,8 +26,9 @@ enum class Motions {
 /// law of core/laws/bond/models.hpp.
 template <class Real, class Law>
 struct AdvanceRocks {
-  using Lane = OneLane;                  ///< of a GPU thread
-  using Pack = PackLanes<native_lanes>;  ///< of a CPU core
+  using Lane = OneLane;                           ///< of a GPU thread
+  using Pack = PackLanes<native_lanes>;           ///< of a CPU core
+  using RowPack = PackOfParticles<native_lanes>;  ///< of a CPU core
   static constexpr int blocks_at_once = sizeof(Real) == 8 ? 2 : 4;
 
   const Piece* pieces;
@@ -62,10 +63,12 @@ struct AdvanceRocks {
     return first != Motions::move_on ? 1 : to_next ? substeps : substeps - 1;
   }
 
-  GYRO_HD void prepare(Index particle, Index, int pass) const {
+  GYRO_HD void prepare(Index particle, Index k, int pass) const { prepare(OneParticle{particle}, k, pass); }
+  template <class Lanes>
+  GYRO_FLATTEN GYRO_HD void prepare(const Lanes& particles, Index, int pass) const {
     const Motions motions = number_of(pass) == 0 ? first : Motions::move_held;
-    if (motions != Motions::loads_only) advance(particle, motions);
-    if (gather.with_bonds) gather.p.bond_load[particle] = Load{};
+    if (motions != Motions::loads_only) advance(particles, motions);
+    if (gather.with_bonds) particles.clear(gather.p.bond_load);
   }
 
   template <class Lanes>
@@ -80,17 +83,16 @@ struct AdvanceRocks {
  private:
   GYRO_HD int number_of(int pass) const { return only_pass >= 0 ? only_pass : pass; }
 
-  GYRO_HD void advance(Index n, Motions motions) const {
+  template <class Lanes>
+  GYRO_HD void advance(const Lanes& lanes, Motions motions) const {
+    using D = typename Lanes::template Number<double>;
     const ParticleView& p = gather.p;
-    const double dt = p.step[n];
-    Motion motion = p.motion[n];
-    AngularMotion angular = p.angular_motion[n];
-    if (motions == Motions::move) return move(n, dt, p.load[n], motion, angular);
-    LostWork lost = p.losses[n];
-    const Load load = gather.sum(n, motion.mass, motions == Motions::move_on, lost);
-    p.losses[n] = lost;
+    const D dt = lanes.load(p.step);
+    ParticleRow<D> motion = lanes.load(p.motion), angular = lanes.load(p.angular_motion);
+    if (motions == Motions::move) return move(lanes, dt, lanes.load(p.load), motion, angular);
+    const ForceAndTorque<D> load = gather.sum(lanes, motion.number, motions == Motions::move_on);
     half_kick(dt, load, motion, angular);
-    move(n, dt, load, motion, angular);
+    move(lanes, dt, load, motion, angular);
   }
 };
 

@@ -79,20 +79,20 @@ struct PackLanes {
         torques_j(load.torque_j.x, load.torque_j.y, load.torque_j.z, zero);
     for (int k = 0; k < N; ++k) {
       if (state.v[k] == bond_broken) continue;
-      add_row(rows[i.v[k]], forces_i.row[k], torques_i.row[k]);
-      add_row(rows[j.v[k]], forces_j.row[k], torques_j.row[k]);
+      add_row<Real>(rows[i.v[k]], forces_i.row[k], torques_i.row[k]);
+      add_row<Real>(rows[j.v[k]], forces_j.row[k], torques_j.row[k]);
     }
   }
 
  private:
   /// Load is a row of eight doubles: force, damped, torque, slipped.
-  template <class Half>
-  static void add_row(Load& load, const Half& force, const Half& torque) {
+  template <class Real>
+  static void add_row(Load& load, const Four<Real>& force, const Four<Real>& torque) {
     static_assert(sizeof(Load) == 2 * sizeof(Four<double>));
     Four<double> sum[2];
     std::memcpy(sum, &load, sizeof sum);
-    sum[0] += __builtin_convertvector(force, Four<double>);
-    sum[1] += __builtin_convertvector(torque, Four<double>);
+    sum[0] += pack_cast<double>(Pack<Real, 4>{force}).v;
+    sum[1] += pack_cast<double>(Pack<Real, 4>{torque}).v;
     std::memcpy(static_cast<void*>(&load), sum, sizeof sum);
   }
 };

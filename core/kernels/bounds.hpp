@@ -10,15 +10,22 @@
 
 namespace gyro {
 
-/// The centre of a particle as contacts see it, in a scene with sub-steps or without. @param dt  step of the scene [s]
-GYRO_HD inline Vec3d seen_centre(const Vec3d& centre, const Vec3d& velocity, double dt, double step) {
-  return centre + time_to_middle(dt, step) * velocity;
+/// The centre of a particle as contacts see it, as contact_centre().
+/// @param dt    step of the scene [s]
+/// @param step  of the particle [s]
+/// @tparam D    double, or a pack of them
+template <class D>
+GYRO_HD Vec3<D> seen_centre(const Vec3<D>& centre, const Vec3<D>& velocity, const D& dt, const D& step) {
+  return centre + D(0.5) * (dt - step) * velocity;
 }
 
-/// Whether a particle has left its bound, as far as rounding can tell.
-GYRO_HD inline bool has_left(const Sphere& bound, const Vec3d& seen, double radius) {
-  const double way = bound.radius - radius;
-  return norm2(seen - bound.x) > (1 - 1e-9) * way * way;
+/// Whether a particle has left its bound, or nearly. Nothing that is not finite has.
+/// @param centre, bound  of the bound: centre and radius [m]
+/// @param seen, radius   of the particle [m]
+template <class D>
+GYRO_HD auto has_left(const Vec3<D>& centre, const D& bound, const Vec3<D>& seen, const D& radius) {
+  const D way = bound - radius;
+  return norm2(seen - centre) > D(1 - 1e-9) * way * way;
 }
 
 /// Whether two bounds touch or overlap.

@@ -7,8 +7,8 @@
 
 namespace gyro {
 
-/// Adds up what acts on a particle, in the fixed order gravity, bonds, contacts by partner id, walls by wall id. Forces
-/// that are held over several steps are added up once and kept.
+/// Adds up what acts on the particles of some lanes, in the fixed order gravity, bonds, contacts by partner id, walls
+/// by wall id. Forces that are held over several steps are added up once and kept.
 template <class Real>
 struct Gather {
   ParticleView p;
@@ -18,56 +18,59 @@ struct Gather {
   bool with_bonds;
   Load* held;  ///< contacts and walls of each particle; null: no particle has sub-steps
 
+  /// The total. What the sources lost is added to the losses of the particles.
   /// @param mass           [kg]
   /// @param first_of_hold  contacts and walls have just been evaluated
-  /// @param lost           of the particle so far; the losses of this step are added
-  /// @return the total, without losses
-  GYRO_HD Load sum(Index n, double mass, bool first_of_hold, LostWork& lost) const {
-    Load total;
-    total.force = mass * gravity;
+  template <class Lanes, class D>
+  GYRO_HD ForceAndTorque<D> sum(const Lanes& lanes, const D& mass, bool first_of_hold) const {
+    const Vec3<D> zero{D(0), D(0), D(0)};
+    ForceAndTorque<D> total{mass * Vec3<D>{D(gravity.x), D(gravity.y), D(gravity.z)}, zero};
     if (with_bonds) {
-      const Load bonds = p.bond_load[n];
-      total.force += bonds.force;
-      total.torque += bonds.torque;
-      lost.bond_damping += bonds.damped;
-      lost.bond_slip += bonds.slipped;
+      add(total, lanes.load(p.bond_load));
+      for (int k = 0; k < Lanes::count; ++k) add_bond_losses(lanes.particle(k));
     }
     if (held == nullptr) {
-      add_contacts(n, mass, total, lost);
+      add_contacts(lanes, mass, total);
+    } else if (first_of_hold) {
+      ForceAndTorque<D> contacts{zero, zero};
+      add_contacts(lanes, mass, contacts);
+      lanes.store(held, contacts);
+      add(total, contacts);
     } else {
-      if (first_of_hold) {
-        Load sum;
-        add_contacts(n, mass, sum, lost);
-        held[n] = sum;
-      }
-      total.force += held[n].force;
-      total.torque += held[n].torque;
+      add(total, lanes.load(held));
     }
     return total;
   }
 
+  /// Adds the contacts of a particle, one after the other.
+  template <class Sum>
+  GYRO_HD void add_contacts_of(Index n, Sum& sum) const {
+    sum.take(p.losses[n]);
+    for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e)
+      sum.add(pairs.loaded[e], pairs.load[e], pairs.dashpot[e]);
+    for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e)
+      sum.add(walls.touching[e], walls.result[e], walls.result[e].dashpot);
+    sum.give(p.losses[n]);
+  }
+  /// Contacts that these particles may have.
+  GYRO_HD Index listed(Index from, Index end) const {
+    return pairs.row_begin[end] - pairs.row_begin[from] + (walls.row_begin[end] - walls.row_begin[from]);
+  }
+
  private:
-  GYRO_HD void add_contacts(Index n, double mass, Load& to, LostWork& lost) const {
-    double dashpots = 0;
-    for (Index e = pairs.row_begin[n]; e < pairs.row_begin[n + 1]; ++e) {
-      if (!pairs.loaded[e]) continue;
-      const EndLoad<Real> load = pairs.load[e];
-      to.force += cast<double>(load.force);
-      to.torque += cast<double>(load.torque);
-      lost.contact_damping += static_cast<double>(load.damped);
-      lost.contact_slip += static_cast<double>(load.slipped);
-      dashpots += static_cast<double>(pairs.dashpot[e]);
-    }
-    for (Index e = walls.row_begin[n]; e < walls.row_begin[n + 1]; ++e) {
-      if (!walls.touching[e]) continue;
-      const WallResult<Real> r = walls.result[e];
-      to.force += cast<double>(r.force);
-      to.torque += cast<double>(r.torque);
-      lost.contact_damping += static_cast<double>(r.damped);
-      lost.contact_slip += static_cast<double>(r.slipped);
-      dashpots += static_cast<double>(r.dashpot);
-    }
-    p.damping_rate[n] = dashpots / mass;
+  template <class D>
+  GYRO_HD static void add(ForceAndTorque<D>& total, const ForceAndTorque<D>& more) {
+    total.force += more.force;
+    total.torque += more.torque;
+  }
+  GYRO_HD void add_bond_losses(Index n) const {
+    p.losses[n].bond_damping += p.bond_load[n].damped;
+    p.losses[n].bond_slip += p.bond_load[n].slipped;
+  }
+  template <class Lanes, class D>
+  GYRO_HD void add_contacts(const Lanes& lanes, const D& mass, ForceAndTorque<D>& to) const {
+    const D dashpots = lanes.add_contacts(*this, to);
+    lanes.store(p.damping_rate, dashpots / mass);
   }
 };
 
@@ -79,18 +82,21 @@ struct FinishStep {
   bool kick;  ///< false: only the loads, before the first step of a scene
 
   GYRO_HD void operator()(Index n) const {
+    const OneParticle lanes{n};
     const ParticleView& p = gather.p;
-    Motion motion = p.motion[n];
-    LostWork lost = p.losses[n];
+    ParticleRow<double> motion = lanes.load(p.motion);
+    const LostWork lost = p.losses[n];
     const double step = p.step[n];
-    const Load load = gather.sum(n, motion.mass, step == dt || !kick, lost);
-    p.load[n] = load;
-    if (!kick) return;
-    AngularMotion angular = p.angular_motion[n];
+    const ForceAndTorque<double> load = gather.sum(lanes, motion.number, step == dt || !kick);
+    lanes.store(p.load, load);
+    if (!kick) {
+      p.losses[n] = lost;
+      return;
+    }
+    ParticleRow<double> angular = lanes.load(p.angular_motion);
     half_kick(step, load, motion, angular);
-    p.motion[n] = motion;
-    p.angular_motion[n] = angular;
-    p.losses[n] = lost;
+    lanes.store(p.motion, motion);
+    lanes.store(p.angular_motion, angular);
   }
 };
 

@@ -3,15 +3,16 @@
 
 #include "core/base/shared_counter.hpp"
 #include "core/kernels/bounds.hpp"
+#include "core/kernels/particle_lane.hpp"
 #include "core/scene/scene.hpp"
-#include "core/state/particles.hpp"
 
 namespace gyro {
 
 /// Half of a step's change of velocities: v += dt/2 F/m, w += dt/2 M/I.
-GYRO_HD inline void half_kick(double dt, const Load& load, Motion& motion, AngularMotion& angular) {
-  motion.v += (0.5 * dt / motion.mass) * load.force;
-  angular.w += (0.5 * dt / angular.inertia) * load.torque;
+template <class D>
+GYRO_HD void half_kick(const D& dt, const ForceAndTorque<D>& load, ParticleRow<D>& motion, ParticleRow<D>& angular) {
+  motion.vector += (D(0.5) * dt / motion.number) * load.force;
+  angular.vector += (D(0.5) * dt / angular.number) * load.torque;
 }
 
 /// First half of a velocity Verlet step: half a kick with the loads of the last step, then a drift.
@@ -25,22 +26,30 @@ struct Move {
   StepLimits limits;
   std::int32_t* limit_exceeded;  ///< set to 1 by any particle beyond them
 
-  /// @param step             of this particle [s]
+  /// @param step             of these particles [s]
   /// @param load             of the last step
   /// @param motion, angular  at the end of the last step
-  GYRO_HD void operator()(Index n, double step, const Load& load, Motion motion, AngularMotion angular) const {
-    Sphere sphere = p.position[n];
+  template <class Lanes, class D>
+  GYRO_HD void operator()(const Lanes& lanes, const D& step, const ForceAndTorque<D>& load, ParticleRow<D> motion,
+                          ParticleRow<D> angular) const {
+    ParticleRow<D> sphere = lanes.load(p.position);
     half_kick(step, load, motion, angular);
-    sphere.x += step * motion.v;
-    if (with_orientation) p.orientation[n] = rotated(p.orientation[n], angular.w, step);
+    sphere.vector += step * motion.vector;
+    if (with_orientation) lanes.store(p.orientation, rotated(lanes.load(p.orientation), angular.vector, step));
 
-    p.motion[n] = motion;
-    p.angular_motion[n] = angular;
-    p.position[n] = sphere;
-    if (has_left(bounds[n], seen_centre(sphere.x, motion.v, dt, step), sphere.radius)) raise_flag(stale);
-    const double allowed = limits.speed_ratio * sphere.radius;
-    if (dt * dt * norm2(motion.v) > allowed * allowed || dt * dt * norm2(angular.w) > limits.rotation * limits.rotation)
-      raise_flag(limit_exceeded);
+    lanes.store(p.motion, motion);
+    lanes.store(p.angular_motion, angular);
+    lanes.store(p.position, sphere);
+    const ParticleRow<D> bound = lanes.load(bounds);
+    const Vec3<D> seen = seen_centre(sphere.vector, motion.vector, D(dt), step);
+    const auto beyond_list = has_left(bound.vector, bound.number, seen, sphere.number);
+    const D allowed = D(limits.speed_ratio) * sphere.number, dt2 = D(dt * dt);
+    const auto fast = dt2 * norm2(motion.vector) > allowed * allowed;
+    const auto spinning = dt2 * norm2(angular.vector) > D(limits.rotation * limits.rotation);
+    const auto beyond_limits = fast | spinning;
+    if (!lanes.any(beyond_list | beyond_limits)) return;
+    if (lanes.any(beyond_list)) raise_flag(stale);
+    if (lanes.any(beyond_limits)) raise_flag(limit_exceeded);
   }
 };
 

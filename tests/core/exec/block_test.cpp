@@ -16,9 +16,16 @@ struct FourItems {
   Index first;
 };
 
+/// Three rows, in any order.
+struct ThreeRows {
+  static constexpr int count = 3;
+  Index first;
+};
+
 /// Blocks of rows; each item adds its number to a row of its block, after all that came before.
 struct MixItems {
   using Pack = FourItems;
+  using RowPack = ThreeRows;
   const std::vector<IndexRange>* block_rows;
   const std::vector<IndexRange>* block_items;
   std::uint64_t* row_values;
@@ -29,6 +36,9 @@ struct MixItems {
   IndexRange items(Index block) const { return (*block_items)[static_cast<std::size_t>(block)]; }
   int passes(Index block) const { return block % 4 == 3 ? max_passes - 1 : max_passes; }
   void prepare(Index row, Index, int pass) const { row_values[row] = pass == 0 ? 1 : row_values[row] ^ 5; }
+  void prepare(const ThreeRows& pack, Index block, int pass) const {
+    for (Index row = pack.first; row < pack.first + ThreeRows::count; ++row) prepare(row, block, pass);
+  }
   void operator()(const FourItems& pack, Index block, int pass) const {
     const IndexRange own = rows(block);
     for (Index item = pack.first; item < pack.first + FourItems::count; ++item) {

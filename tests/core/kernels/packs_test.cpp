@@ -103,3 +103,25 @@ TEST_CASE("Packs of four and of eight read and write the structs of pairs as one
   check_structs<8, float>();
   check_structs<8, double>();
 }
+
+namespace {
+
+template <class To, class From, int N>
+void check_casts() {
+  CAPTURE(N, sizeof(To), sizeof(From));
+  Pack<From, N> numbers;
+  for (int k = 0; k < N; ++k) numbers.v[k] = static_cast<From>(17 * k - 30) / 7;
+  const Pack<To, N> out = pack_cast<To>(numbers);
+  for (int k = 0; k < N; ++k) CHECK(out[k] == static_cast<To>(numbers[k]));
+}
+
+}  // namespace
+
+TEST_CASE("Numbers of packs of four and of eight change their type as single numbers do", "[kernels]") {
+  check_casts<double, float, 4>();
+  check_casts<double, float, 8>();
+  check_casts<float, double, 4>();
+  check_casts<float, double, 8>();
+  check_casts<double, std::int32_t, 4>();
+  check_casts<float, std::int32_t, 8>();
+}

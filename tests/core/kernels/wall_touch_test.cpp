@@ -39,7 +39,7 @@ struct Listed {
   static constexpr double skin = 0.05;
   WallSurface surface;
   WallPose pose{{0.1, -0.2, 0.3}, rotation_about({0, 0.6, 0.8}, 0.7), {0, 0, 0}, {0, 0, 0}};
-  std::vector<Sphere> spheres{};
+  std::vector<Sphere> spheres{}, bounds{};
   std::vector<WallEntry> entries{};
   std::vector<WallClearance> clearance{};
   std::vector<Index> begin{}, triangles{};
@@ -50,11 +50,12 @@ struct Listed {
     for (int k = 0; k < count; ++k) {
       const auto draw = [k](std::uint32_t d) { return uniform(2, Stream{}, static_cast<std::uint64_t>(k), d); };
       spheres.push_back({to_world(pose, {draw(0), draw(1), 0.5 * draw(2) - 0.1}), 0.02 + 0.15 * draw(3)});
+      bounds.push_back({spheres.back().x, spheres.back().radius + skin});
     }
     ConstParticleView p{};
     p.position = spheres.data();
     const WallsNow walls{&surface, &pose, 1};
-    FindWalls find{p, walls, skin, {rows.data(), nullptr}};
+    FindWalls find{bounds.data(), walls, 0, {rows.data(), nullptr}};
     for (Index n = 0; n < count; ++n) find(n);
     std::exclusive_scan(rows.begin(), rows.end(), rows.begin(), 0);
     entries.resize(static_cast<std::size_t>(rows.back()));
@@ -62,7 +63,7 @@ struct Listed {
     for (Index n = 0; n < count; ++n) find(n);
     clearance.resize(entries.size());
     begin.assign(entries.size() + 1, 0);
-    MeasureWalls measure{p, walls, skin, entries.data(), clearance.data(), begin.data()};
+    MeasureWalls measure{p, walls, bounds.data(), 0, entries.data(), clearance.data(), begin.data()};
     for (Index n = 0; n < size(); ++n) measure(n);
     std::exclusive_scan(begin.begin(), begin.end(), begin.begin(), 0);
     triangles.resize(static_cast<std::size_t>(begin.back()) + 1);
