@@ -69,7 +69,9 @@ TEST_CASE("Steps ahead stop at the step that passes a limit, once in a window", 
   const Outcome cpu = break_rocks(*make_cpu_dem(scene, Precision::mixed, 1));
   REQUIRE(passed_inside(cpu, free) > 5);
   REQUIRE(passed_inside(cpu, free) < 40);  // of 48
+  const std::int64_t before = Mirror::counts.graph_launches;
   check_same(cpu, on_mirror(scene, 1000));
+  CHECK(Mirror::counts.graph_launches - before < 1.5 * 48 * 150);  // 2 a step if every step beyond the limit halted
 }
 
 TEST_CASE("The host reads once in a batch of steps, 8 bytes, and nothing between them", "[gpu]") {
