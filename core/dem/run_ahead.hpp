@@ -38,7 +38,8 @@ void DemSolver<Exec, Real>::take_steps_ahead(const Window& window) {
   walls_.go_to_step(window.steps);
 }
 
-/// Steps between the first and the last of a window have the same arguments.
+/// Steps between the first and the last of a window have the same arguments. Of a step for which the lists do not hold,
+/// the contact forces are left to the host.
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::launch_steps(const Window& window, const Batch& batch) {
   const EnterStep enter{.walls = walls_.device_steps(),
@@ -47,12 +48,13 @@ void DemSolver<Exec, Real>::launch_steps(const Window& window, const Batch& batc
                         .limits = !monitor_.has_excess(),
                         .stop_at = batch.stop_at};
   for (int done = batch.done; done < batch.end;) {
-    const bool last = done + 1 == window.steps;
-    const int alike = done == 0 || last ? 1 : std::min(batch.end, window.steps - 1) - done;
+    const bool last = done + 1 == window.steps, stops = done + 1 == batch.stop_at;
+    const int end_of_alike = std::min({batch.end, window.steps - 1, batch.stop_at - 1});
+    const int alike = done == 0 ? 1 : std::max(1, end_of_alike - done);
     exec_.repeat(alike, ahead_.halted(), [&] {
       begin_step(window, done);
       exec_.for_each("enter step", 1, enter);
-      end_step(last);
+      if (!stops) end_step(last);
     });
     done += alike;
   }
