@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/check_cuda.hpp"
+#include "gpu/traffic.hpp"
 
 #include <cstddef>
 #include <type_traits>
@@ -9,6 +10,14 @@
 #include <vector>
 
 namespace gyro {
+
+/// Copies to the host, after all that the device has been asked to do.
+template <class T>
+void read(T* host, const T* device, std::size_t count) {
+  if (count == 0) return;
+  count_read(count * sizeof(T));
+  check_cuda(cudaMemcpy(host, device, count * sizeof(T), cudaMemcpyDeviceToHost), "reading from the device");
+}
 
 /// Array in device memory. Elements travel as bytes; the host never touches them one by one.
 template <class T>
@@ -38,18 +47,17 @@ class DeviceBuffer {
 
   std::vector<T> to_host() const {
     std::vector<T> values(size_);
-    if (size_ > 0)
-      check_cuda(cudaMemcpy(values.data(), data_, size_ * sizeof(T), cudaMemcpyDeviceToHost),
-                 "reading from the device");
+    read(values.data(), data_, size_);
     return values;
   }
   /// Replaces elements from `first` on and sets the size to their end.
   void from_host(std::size_t first, const std::vector<T>& values) {
     if (first + values.size() > capacity_) grow(first + values.size());
     size_ = first + values.size();
-    if (!values.empty())
-      check_cuda(cudaMemcpy(data_ + first, values.data(), values.size() * sizeof(T), cudaMemcpyHostToDevice),
-                 "writing to the device");
+    if (values.empty()) return;
+    count_write(values.size() * sizeof(T));
+    check_cuda(cudaMemcpy(data_ + first, values.data(), values.size() * sizeof(T), cudaMemcpyHostToDevice),
+               "writing to the device");
   }
 
   void swap(DeviceBuffer& other) noexcept {

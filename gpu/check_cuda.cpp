@@ -27,9 +27,32 @@ void check_cuda(cudaError_t status, const char* doing) {
   }
 }
 
+namespace {
+
+bool is_set(const char* variable, const char* to) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && std::string(value) == to;
+}
+
+}  // namespace
+
 bool waits_for_all() {
-  const char* value = std::getenv("GYRO_CUDA_SYNC");
-  return value != nullptr && std::string(value) == "1";
+  return is_set("GYRO_CUDA_SYNC", "1");
+}
+
+bool without_graphs() {
+  return is_set("GYRO_CUDA_GRAPHS", "0");
+}
+
+int max_steps_ahead() {
+  constexpr int no_limit = 1'000'000;
+  const char* value = std::getenv("GYRO_CUDA_AHEAD");
+  if (value == nullptr) return no_limit;
+  char* end = nullptr;
+  const long steps = std::strtol(value, &end, 10);
+  if (end == value || *end != '\0' || steps < 1 || steps > no_limit)
+    throw BadInput("GYRO_CUDA_AHEAD is '" + std::string(value) + "'; it must be a number of steps, 1 to 1000000");
+  return static_cast<int>(steps);
 }
 
 }  // namespace gyro

@@ -18,4 +18,10 @@ void take_device();
 /// the kernel that they are reported for.
 bool waits_for_all();
 
+/// Whether GYRO_CUDA_GRAPHS=0 asks to launch every kernel of a step by itself.
+bool without_graphs();
+
+/// GYRO_CUDA_AHEAD: how many steps at most are launched before the host waits for them; 1: it waits for each.
+int max_steps_ahead();
+
 }  // namespace gyro

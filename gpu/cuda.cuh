@@ -5,15 +5,21 @@
 #include "core/exec/block_launch.hpp"
 #include "core/exec/phase_timer.hpp"
 #include "gpu/sort_scan.hpp"
+#include "gpu/step_graph.hpp"
+#include "gpu/traffic.hpp"
 
+#include <exception>
 #include <span>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gyro {
 
 // The only __global__ functions of the project, but for those of CUB. Kernels are the structs of
-// core/kernels; they stay in constant memory (__grid_constant__), no thread copies them.
+// core/kernels; they stay in constant memory (__grid_constant__), no thread copies them. Those of steps ahead of the
+// host do nothing while *halted.
 
 inline constexpr int threads_per_block = 128, warp = 32;
 
@@ -30,24 +36,30 @@ constexpr int blocks_at_once() {
 inline constexpr Index reduce_chunk = 1024;  // as on the CPU: sums are added in the same order
 inline constexpr Index reduce_tile = 32;
 
-template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
-    run_each(Index n, const __grid_constant__ Kernel kernel) {
-  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
-  if (i < n) kernel(i);
+/// @param halted  may be null; EnterStep, which sets it, has one thread
+__device__ inline bool is_halted(const std::int32_t* halted) {
+  return halted != nullptr && *halted != 0;
 }
 
 template <class Kernel>
 __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
-    run_picked(Index n, const __grid_constant__ Kernel kernel) {
+    run_each(Index n, const std::int32_t* halted, const __grid_constant__ Kernel kernel) {
   const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
-  if (i < n && kernel.pick(i)) kernel(typename Kernel::Lane{i});
+  if (i < n && !is_halted(halted)) kernel(i);
+}
+
+template <class Kernel>
+__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
+    run_picked(Index n, const std::int32_t* halted, const __grid_constant__ Kernel kernel) {
+  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < n && !is_halted(halted) && kernel.pick(i)) kernel(typename Kernel::Lane{i});
 }
 
 /// One thread block for each block of the kernel, colour by colour: items are added to rows in the order of the CPU.
 template <class Kernel>
 __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
-    run_blocks(const __grid_constant__ Kernel kernel) {
+    run_blocks(const std::int32_t* halted, const __grid_constant__ Kernel kernel) {
+  if (is_halted(halted)) return;
   const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
               me = static_cast<Index>(threadIdx.x);
   const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
@@ -66,9 +78,9 @@ __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
 /// The items [first, first + n) of a block whose items fill the device.
 template <class Kernel>
 __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
-    run_items(Index first, Index n, const __grid_constant__ Kernel kernel) {
+    run_items(Index first, Index n, const std::int32_t* halted, const __grid_constant__ Kernel kernel) {
   const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
-  if (i < n) kernel(typename Kernel::Lane{first + i});
+  if (i < n && !is_halted(halted)) kernel(typename Kernel::Lane{first + i});
 }
 
 /// Sum of each chunk, in order. The threads of a warp map together, one of them adds.
@@ -102,27 +114,43 @@ struct Keep {
 
 class ThreadTeam;
 
-/// The CUDA executor: the contract is in core/exec/cpu.hpp. Everything runs on one stream, in order.
+/// The CUDA executor: the contract is in core/exec/cpu.hpp. Everything runs on one stream, in order. Making one throws
+/// NoDevice when there is no device to use.
 class Cuda {
  public:
   template <class T>
   using Buffer = DeviceBuffer<T>;
-
-  /// @throws NoDevice when there is no device to use
-  Cuda() { take_device(); }
 
   /// Host seconds by phase: of launching, unless GYRO_CUDA_SYNC=1 is set in the environment, which
   /// waits for every kernel.
   const PhaseTimer& timer() const { return timer_; }
 
   ThreadTeam* host_team() const { return nullptr; }
+  static std::vector<std::pair<std::string, std::int64_t>> traffic() { return by_name(gyro::traffic()); }
+
+  static constexpr bool runs_ahead = true;
+  int max_steps_ahead() const { return max_steps_ahead_; }
+
+  /// From some steps on as a graph: each is one call of the host. Recording one costs about as much as launching a
+  /// step.
+  template <class Launches>
+  void repeat(int times, const std::int32_t* halted, const Launches& launches) {
+    const Halting scope(halted_, halted);
+    if (times < steps_worth_a_graph || !with_graphs_ || !recorded(launches)) {
+      for (int time = 0; time < times; ++time) launches();
+      return;
+    }
+    const PhaseTimer::Mark mark = timer_.begin("steps in graphs");
+    for (int time = 0; time < times; ++time) graph_.launch(stream_);
+    timer_.end(mark);
+  }
 
   template <class Kernel>
   void for_each(const char* label, Index n, const Kernel& kernel) {
     static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
     if (n == 0) return;
     const PhaseTimer::Mark mark = timer_.begin(label);
-    launch_each(label, n, kernel);
+    run_each<<<blocks_for(n), threads_per_block, 0, stream_.get()>>>(n, halted_, kernel);
     finish(label, mark);
   }
 
@@ -131,7 +159,7 @@ class Cuda {
     static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
     if (n == 0) return;
     const PhaseTimer::Mark mark = timer_.begin(label);
-    run_picked<<<static_cast<unsigned>((n - 1) / threads_per_block + 1), threads_per_block>>>(n, kernel);
+    run_picked<<<blocks_for(n), threads_per_block, 0, stream_.get()>>>(n, halted_, kernel);
     finish(label, mark);
   }
 
@@ -144,7 +172,7 @@ class Cuda {
     const unsigned threads = launch.colour_size <= warp       ? warp
                              : launch.colour_size <= 2 * warp ? 2 * warp
                                                               : threads_per_block;
-    run_blocks<<<static_cast<unsigned>(launch.blocks), threads>>>(kernel);
+    run_blocks<<<static_cast<unsigned>(launch.blocks), threads, 0, stream_.get()>>>(halted_, kernel);
     finish(label, mark);
   }
 
@@ -155,9 +183,10 @@ class Cuda {
     for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) {
       const Index first = colour_begin[c], n = colour_begin[c + 1] - first;
       if (n == 0) continue;
-      run_items<<<static_cast<unsigned>((n - 1) / threads_per_block + 1), threads_per_block>>>(first, n, kernel);
+      run_items<<<blocks_for(n), threads_per_block, 0, stream_.get()>>>(first, n, halted_, kernel);
+      count_launch(label);
     }
-    finish(label, mark);
+    wait_if_asked(label, mark);
   }
 
   template <class T, class Map>
@@ -167,22 +196,24 @@ class Cuda {
     if (n == 0) return total;
     const PhaseTimer::Mark mark = timer_.begin(label);
     const Index chunks = (n + reduce_chunk - 1) / reduce_chunk;
-    Buffer<T> part;
-    part.resize(static_cast<std::size_t>(chunks));
-    sum_chunks<<<static_cast<unsigned>(chunks), reduce_tile>>>(n, map, part.data());
+    std::vector<T> parts(static_cast<std::size_t>(chunks));
+    if (parts_.size() < parts.size() * sizeof(T)) parts_.resize(parts.size() * sizeof(T));
+    T* const on_device = reinterpret_cast<T*>(parts_.data());  // aligned for any T, as all device memory is
+    sum_chunks<<<static_cast<unsigned>(chunks), reduce_tile, 0, stream_.get()>>>(n, map, on_device);
     finish(label, mark);
-    for (const T& p : part.to_host()) total = total + p;
+    read(parts.data(), on_device, parts.size());
+    for (const T& p : parts) total = total + p;
     return total;
   }
 
   Index exclusive_scan(Index n, Index* counts) {
-    sort_scan_.exclusive_scan(n + 1, counts);
+    sort_scan_.exclusive_scan(stream_, n + 1, counts);
     Index total = 0;
-    check_cuda(cudaMemcpy(&total, counts + n, sizeof total, cudaMemcpyDeviceToHost), "reading a total");
+    read(&total, counts + n, 1);
     return total;
   }
   void sort_by_key(Buffer<std::uint64_t>& keys, Buffer<Index>& values) {
-    if (keys.size() > 0) sort_scan_.sort_by_key(keys, values);
+    if (keys.size() > 0) sort_scan_.sort_by_key(stream_, keys, values);
   }
 
   template <class T>
@@ -204,27 +235,68 @@ class Cuda {
     Buffer<T> kept;
     kept.resize(source.size());
     const auto n = static_cast<Index>(source.size());
-    if (n > 0) launch_each("keep", n, Keep<T>{buffer.data(), places.data(), kept.data()});
+    if (n > 0) {  // on the default stream, in order with the executor's own
+      run_each<<<blocks_for(n), threads_per_block>>>(n, nullptr, Keep<T>{buffer.data(), places.data(), kept.data()});
+      count_launch("keep");
+    }
     buffer.swap(kept);
   }
 
  private:
-  template <class Kernel>
-  static void launch_each(const char* label, Index n, const Kernel& kernel) {
-    const auto blocks = static_cast<unsigned>((n - 1) / threads_per_block + 1);
-    run_each<<<blocks, threads_per_block>>>(n, kernel);
-    check_cuda(cudaGetLastError(), label);
+  static constexpr int steps_worth_a_graph = 4;
+
+  /// While it lives, kernels do nothing while *halted.
+  class Halting {
+   public:
+    Halting(const std::int32_t*& place, const std::int32_t* halted) : place_(place) { place_ = halted; }
+    ~Halting() { place_ = nullptr; }
+    Halting(const Halting&) = delete;
+    Halting& operator=(const Halting&) = delete;
+
+   private:
+    const std::int32_t*& place_;
+  };
+
+  /// Graphs save time only: without one, the steps are launched one by one, and say what is wrong if they cannot be.
+  template <class Launches>
+  bool recorded(const Launches& launches) {
+    try {
+      graph_.record(stream_, launches);
+    } catch (const std::exception&) {
+      with_graphs_ = false;
+    }
+    return with_graphs_;
   }
 
-  void finish(const char* label, const PhaseTimer::Mark& mark) {
+  static unsigned blocks_for(Index n) { return static_cast<unsigned>((n - 1) / threads_per_block + 1); }
+
+  static void count_launch(const char* label) {
     check_cuda(cudaGetLastError(), label);
+    ++gyro::traffic().launches;
+  }
+  void finish(const char* label, const PhaseTimer::Mark& mark) {
+    count_launch(label);
+    wait_if_asked(label, mark);
+  }
+  void wait_if_asked(const char* label, const PhaseTimer::Mark& mark) {
     if (wait_for_all_) check_cuda(cudaDeviceSynchronize(), label);
     timer_.end(mark);
   }
 
+  struct Device {
+    Device() { take_device(); }
+  };
+
+  Device device_;  // before all that needs one
   bool wait_for_all_ = waits_for_all();
+  bool with_graphs_ = !wait_for_all_ && !without_graphs();
+  int max_steps_ahead_ = gyro::max_steps_ahead();
   PhaseTimer timer_;
+  Stream stream_;
+  StepGraph graph_;
+  const std::int32_t* halted_ = nullptr;  ///< of steps ahead; null except in repeat()
   SortScan sort_scan_;
+  Buffer<std::byte> parts_;  ///< of a sum
 };
 
 }  // namespace gyro

@@ -3,6 +3,7 @@
 
 #include "core/base/hd.hpp"
 #include "gpu/buffer.hpp"
+#include "gpu/step_graph.hpp"
 
 namespace gyro {
 
@@ -10,9 +11,9 @@ namespace gyro {
 class SortScan {
  public:
   /// In place: number k becomes the sum of those before it.
-  void exclusive_scan(Index count, Index* numbers);
+  void exclusive_scan(const Stream& stream, Index count, Index* numbers);
   /// Orders values by key; equal keys keep their order.
-  void sort_by_key(DeviceBuffer<std::uint64_t>& keys, DeviceBuffer<Index>& values);
+  void sort_by_key(const Stream& stream, DeviceBuffer<std::uint64_t>& keys, DeviceBuffer<Index>& values);
 
  private:
   DeviceBuffer<std::byte> scratch_;

@@ -102,6 +102,8 @@ void RunLog::ended(const Simulation& simulation, RunStatus status) {
   }
   for (const auto& [phase, seconds] : simulation.dem().phase_seconds())
     log_.info("phase " + phase + ": " + std::to_string(seconds) + " s");
+  for (const auto& [name, count] : simulation.dem().traffic())
+    log_.info("device " + name + ": " + std::to_string(count));
   log_.info("status " + to_string(status));
 }
 

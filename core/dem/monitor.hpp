@@ -5,6 +5,7 @@
 #include "core/dem/particle_store.hpp"
 #include "core/kernels/bond_forces.hpp"
 #include "core/scene/accounts.hpp"
+#include "core/state/step_flags.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,14 +14,6 @@
 #include <vector>
 
 namespace gyro {
-
-/// What kernels report without a reduction: flags, and the number of failed bonds.
-struct StepFlags {
-  std::int32_t moved_too_far;   ///< a particle left the bound for which the list of pairs holds
-  std::int32_t block_cracked;   ///< the first bond of a rock failed: its particles must be listed as neighbours
-  std::int32_t failures;        ///< bonds that have failed in this window
-  std::int32_t limit_exceeded;  ///< a step passed one of Scene::limits
-};
 
 /// The larger of both in every respect.
 inline Extremes worst_of(const Extremes& a, const Extremes& b) {
@@ -45,9 +38,10 @@ class Monitor {
 
   /// On the executor.
   StepFlags* flags() { return flags_.data(); }
-  BreakLog break_log(double rotation_limit) {
+  /// @param steps  as BreakLog::steps
+  BreakLog break_log(double rotation_limit, const std::int32_t* steps) {
     StepFlags* f = flags();
-    return {events_.data(), &f->failures, &f->block_cracked, rotation_limit, &f->limit_exceeded};
+    return {events_.data(), &f->failures, &f->block_cracked, rotation_limit, &f->limit_exceeded, steps};
   }
   StepFlags raised() const { return Exec::host(flags_)[0]; }
 

@@ -5,6 +5,7 @@
 #include "core/dem/monitor.hpp"
 #include "core/dem/scene_sums.hpp"
 #include "core/dem/snapshots.hpp"
+#include "core/dem/steps_ahead.hpp"
 #include "core/dem/wall_accounts.hpp"
 #include "core/dem/wall_motion.hpp"
 #include "core/kernels/advance_rocks.hpp"
@@ -28,7 +29,8 @@ class DemSolver final : public Dem {
         rock_(scene_.bonds.has_value()),
         lists_(0.5 * scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()), keeps_extra_history(laws_.wall_model())),
         walls_(scene_.walls),
-        accounts_(scene_.walls.size(), scene_.wall_impulses) {}
+        accounts_(scene_.walls.size(), scene_.wall_impulses),
+        ahead_(exec_) {}
 
   void insert(std::span<const NewRock> rocks) override;
   void remove(std::span<const ParticleId> ids) override;
@@ -47,11 +49,23 @@ class DemSolver final : public Dem {
   std::vector<Breakage> take_breakages() override { return monitor_.take_breakages(); }
   std::vector<WallImpulse> take_wall_impulses() override { return accounts_.take_impulses(); }
   std::vector<std::pair<std::string, double>> phase_seconds() const override { return exec_.timer().seconds(); }
+  std::vector<std::pair<std::string, std::int64_t>> traffic() const override { return exec_.traffic(); }
   SavedState save() const override;
   void restore(const SavedState& saved) override;
 
  private:
   struct Advance;
+  struct Batch {
+    int done, end;  ///< steps of a window (done, end]
+    int stop_at;    ///< as EnterStep::stop_at
+  };
+  void take_steps(const Window& window);
+  void take_steps_ahead(const Window& window);
+  void launch_steps(const Window& window, const Batch& batch);
+  void ask_whether_given_up(const Window& window, int done) const;
+  static std::int64_t step_number(const Window& window, int done);
+  void begin_step(const Window& window, int done);
+  void end_step(bool last_of_window);
   void advance_rocks(const Advance& what);
   template <class Large, class Kernel>
   void advance_large_rock(const Large& rock, Kernel kernel);
@@ -68,6 +82,8 @@ class DemSolver final : public Dem {
 
   SceneSums<Exec, Real> sums() const { return {exec_, scene_, laws_, rock_, lists_, walls_.now()}; }
   typename WallAccounts<Exec>::Rock where_rock_is() const { return {rock_.particles().position, rock_.particles().id}; }
+  /// That the walls may move until the lists must be rebuilt [m]. Particles with sub-steps see walls half a step earlier.
+  double wall_way() const { return lists_.wall_way() - (held() ? 0.5 * walls_.way_of_step() : 0); }
   bool held() const { return rock_.max_substeps() > 1; }  ///< contact and wall forces, over sub-steps of some rock
 
   Scene scene_;
@@ -78,6 +94,7 @@ class DemSolver final : public Dem {
   WallMotion<Exec> walls_;
   WallAccounts<Exec> accounts_;
   Monitor<Exec> monitor_;
+  StepsAhead<Exec> ahead_;
   typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this step; empty unless held()
   GiveUp give_up_;                             ///< may be empty
   bool primed_ = false;                        ///< the particles have the loads of their present positions
@@ -86,4 +103,5 @@ class DemSolver final : public Dem {
 }  // namespace gyro
 
 #include "core/dem/exchange.hpp"
+#include "core/dem/run_ahead.hpp"
 #include "core/dem/step.hpp"

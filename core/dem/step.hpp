@@ -11,7 +11,7 @@ namespace gyro {
 template <class Exec, class Real>
 struct DemSolver<Exec, Real>::Advance {
   Motions first;          ///< of the first pass
-  std::int64_t step;      ///< as AdvanceRocks::step
+  std::int64_t step;      ///< as AdvanceRocks::step, less the steps that the device counts
   int first_substep = 0;  ///< as in AdvanceRocks
   bool to_next = true;    ///< as in AdvanceRocks
 };
@@ -31,33 +31,64 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
   GYRO_EXPECT(window.dt == scene_.dt && window.steps > 0);
   walls_.plan(scene_.walls, window, path);
   monitor_.begin_window();
+  ahead_.begin_window();
   accounts_.begin_window(walls_.poses());
+  if (held()) held_.resize(static_cast<std::size_t>(rock_.count()));
   if (!primed_) prime();
-  for (int done = 0; done < window.steps; ++done) {
-    if (give_up_ && give_up_(static_cast<double>(done) / window.steps))
-      throw WindowGivenUp("the window from t = " + std::to_string(window.begin()) + " s on was given up");
-    walls_.go_to_step(done + 1);
-    const std::int64_t before = window.first_step + done;
-    advance_rocks(done == 0 ? Advance{Motions::move, before} : Advance{Motions::move_on, before - 1, 1});
-    watch();
-    const bool last = done + 1 == window.steps;
-    held() ? contact_forces<true>(last) : contact_forces<false>(last);
-  }
-  if (held()) advance_rocks({Motions::move_on, window.first_step + window.steps - 1, 1, false});
+  if constexpr (Exec::runs_ahead)
+    take_steps_ahead(window);
+  else
+    take_steps(window);
+  if (held()) advance_rocks({Motions::move_on, step_number(window, window.steps) - 1, 1, false});
   finish_step(true);
   close_window(window);
 }
 
 template <class Exec, class Real>
+void DemSolver<Exec, Real>::take_steps(const Window& window) {
+  for (int done = 0; done < window.steps; ++done) {
+    ask_whether_given_up(window, done);
+    walls_.go_to_step(done + 1);
+    begin_step(window, done);
+    watch();
+    end_step(done + 1 == window.steps);
+  }
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::ask_whether_given_up(const Window& window, int done) const {
+  if (give_up_ && give_up_(static_cast<double>(done) / window.steps))
+    throw WindowGivenUp("the window from t = " + std::to_string(window.begin()) + " s on was given up");
+}
+
+/// Steps of the scene before one of a window, without those that the device counts itself.
+template <class Exec, class Real>
+std::int64_t DemSolver<Exec, Real>::step_number(const Window& window, int done) {
+  return window.first_step + (Exec::runs_ahead ? 0 : done);
+}
+
+/// To the positions of the next step, and the bond forces there.
+/// @param done  steps of the window
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::begin_step(const Window& window, int done) {
+  const std::int64_t before = step_number(window, done);
+  advance_rocks(done == 0 ? Advance{Motions::move, before} : Advance{Motions::move_on, before - 1, 1});
+}
+
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::end_step(bool last_of_window) {
+  held() ? contact_forces<true>(last_of_window) : contact_forces<false>(last_of_window);
+}
+
+template <class Exec, class Real>
 void DemSolver<Exec, Real>::advance_rocks(const Advance& what) {
-  if (held()) held_.resize(static_cast<std::size_t>(rock_.count()));
   with_bond_law(laws_.bond_model(), [&]<class Law>(Law) {
     const BondForces<Real, Law> bonds{.p = rock_.read(),
                                       .loads = rock_.view().bond_load,
                                       .b = rock_.bond_view(),
                                       .blocks = rock_.block_view(),
                                       .law = laws_.bond(),
-                                      .log = monitor_.break_log(scene_.limits.bond_rotation)};
+                                      .log = monitor_.break_log(scene_.limits.bond_rotation, ahead_.step())};
     AdvanceRocks<Real, Law> kernel{.pieces = rock_.pieces(),
                                    .blocks = rock_.block_view(),
                                    .colour_begin = rock_.colour_begin(),
@@ -110,7 +141,6 @@ Gather<Real> DemSolver<Exec, Real>::gather() {
 /// @param kick  false: only the loads, before the first step of a scene
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::finish_step(bool kick) {
-  if (held()) held_.resize(static_cast<std::size_t>(rock_.count()));
   exec_.for_each("finish step", rock_.count(), FinishStep<Real>{.gather = gather(), .dt = scene_.dt, .kick = kick});
 }
 
@@ -120,9 +150,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::watch() {
   const StepFlags flags = monitor_.raised();
   if (flags.limit_exceeded) keep_excess();
-  // Walls are seen half a step earlier by particles with sub-steps.
-  const double wall_way = lists_.wall_way() - (held() ? 0.5 * walls_.way_of_step() : 0);
-  if (!lists_.valid() || flags.block_cracked || walls_.moved_beyond(wall_way)) return rebuild_lists();
+  if (!lists_.valid() || flags.block_cracked || walls_.moved_beyond(wall_way())) return rebuild_lists();
   if (!flags.moved_too_far) return;
   if (!lists_.renew_pairs(exec_, rock_, scene_.dt)) return rebuild_lists();
   monitor_.pairs_renewed();

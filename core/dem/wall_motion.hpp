@@ -4,10 +4,12 @@
 #include "core/base/expect.hpp"
 #include "core/base/saved_state.hpp"
 #include "core/dem/wall_surfaces.hpp"
+#include "core/kernels/enter_step.hpp"
 #include "core/scene/wall_motion.hpp"
 #include "core/scene/window.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace gyro {
@@ -35,16 +37,18 @@ class WallMotion {
     way_of_step_ = 0;
     for (std::size_t w = 0; w < count; ++w)
       way_of_step_ = std::max(way_of_step_, moved(w, table_[w], table_[count + w]));
-    Exec::upload(device_table_, table_);
+    upload_table();
     go_to_step(0);
   }
 
+  /// On a device that counts the steps itself (device_steps), what it sees changes by EnterStep instead.
   /// @param step  of the planned window; 0: its begin
   void go_to_step(int step) {
-    const std::ptrdiff_t walls = surfaces_.count(), row = step * walls;
-    GYRO_EXPECT(row >= 0 && row + walls <= static_cast<std::ptrdiff_t>(table_.size()));
-    device_poses_ = device_table_.data() + row;
-    poses_now_.assign(table_.begin() + row, table_.begin() + row + walls);
+    device_poses_ = device_table_.data() + (Exec::runs_ahead ? 0 : row_of(step) - table_.data());
+    poses_now_.assign(row_of(step), row_of(step) + surfaces_.count());
+  }
+  PoseTable device_steps() {
+    return {device_table_.data() + surfaces_.count(), device_table_.data(), surfaces_.count()};
   }
 
   /// For kernels.
@@ -59,11 +63,11 @@ class WallMotion {
   /// The neighbour lists hold for the present poses.
   void store_listed() { listed_poses_ = poses_now_; }
   /// Whether a wall has moved further since then [m].
-  bool moved_beyond(double distance) const {
-    GYRO_EXPECT(listed_poses_.size() == poses_now_.size());
-    for (std::size_t w = 0; w < poses_now_.size(); ++w)
-      if (moved(w, listed_poses_[w], poses_now_[w]) > distance) return true;
-    return false;
+  bool moved_beyond(double distance) const { return moved_beyond(distance, poses_now_.data()); }
+  /// The first of the planned steps [from, to] at whose end one will have; `to` + 1 if none will.
+  int first_beyond(double distance, int from, int to) const {
+    while (from <= to && !moved_beyond(distance, row_of(from))) ++from;
+    return from;
   }
 
   void save(SavedState& to) const { to.put("walls/pose", poses_now_); }
@@ -82,6 +86,24 @@ class WallMotion {
     const double angle = 2 * norm(Vec3d{rotated.x, rotated.y, rotated.z});
     return norm(to.origin - from.origin) + (angle > 0 ? surfaces_.extent(wall) * 1.6 * angle : 0.0);
   }
+  const WallPose* row_of(int step) const {
+    const std::ptrdiff_t walls = surfaces_.count(), row = step * walls;
+    GYRO_EXPECT(row >= 0 && row + walls <= static_cast<std::ptrdiff_t>(table_.size()));
+    return table_.data() + row;
+  }
+  /// A device that runs ahead has the row of the step that it is in before those of all steps.
+  void upload_table() {
+    std::vector<WallPose> rows(table_.begin(), table_.begin() + (Exec::runs_ahead ? surfaces_.count() : 0));
+    rows.insert(rows.end(), table_.begin(), table_.end());
+    Exec::upload(device_table_, std::move(rows));
+  }
+
+  bool moved_beyond(double distance, const WallPose* poses) const {
+    GYRO_EXPECT(listed_poses_.size() == poses_now_.size());
+    for (std::size_t w = 0; w < poses_now_.size(); ++w)
+      if (moved(w, listed_poses_[w], poses[w]) > distance) return true;
+    return false;
+  }
 
   /// A motion's speed changes from window to window only.
   void find_fastest(const std::vector<Wall>& walls, double dt) {
@@ -93,9 +115,9 @@ class WallMotion {
   }
 
   WallSurfaces<Exec> surfaces_;
-  std::vector<WallPose> table_;  ///< steps + 1 rows of one pose a wall
-  typename Exec::template Buffer<WallPose> device_table_;
-  const WallPose* device_poses_ = nullptr;  ///< row of this step
+  std::vector<WallPose> table_;                            ///< steps + 1 rows of one pose a wall
+  typename Exec::template Buffer<WallPose> device_table_;  ///< as upload_table() says
+  const WallPose* device_poses_ = nullptr;                 ///< row of this step
   std::vector<WallPose> poses_now_, listed_poses_;
   double largest_step_ = 0, way_of_step_ = 0;
   Index fastest_ = none;

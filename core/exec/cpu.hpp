@@ -14,6 +14,7 @@
 #include <memory>
 #include <numeric>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,6 +35,11 @@ namespace gyro {
 ///   sort_by_key(keys, values)              stable
 ///   host, upload, append, keep             the host's side of a buffer
 ///   host_team()                            threads for work on the host; null without any
+///   traffic()                              what has passed between host and device; empty without a device
+///   runs_ahead                             whether it takes steps while the host does not look: only then is there
+///   max_steps_ahead()                       how many of them at most, and
+///   repeat(times, halted, launches)          launches(), which does nothing but launch kernels, `times` times with the
+///                                            arguments of the first time; while *halted, these kernels do nothing
 ///
 /// A kernel over blocks says how its work lies: rows(k) are prepared first, by prepare(row, k, pass); items(k) are then
 /// worked on as if one after the other; both passes(k) times. A CPU core takes Kernel::Pack::count items at a time, and
@@ -53,6 +59,10 @@ class Cpu {
 
   /// @param threads  at least 1
   explicit Cpu(int threads) : threads_(std::max(1, threads)), team_(std::make_unique<ThreadTeam>(threads_)) {}
+
+  static constexpr bool runs_ahead = false;
+  static int max_steps_ahead() { return 1; }
+  static std::vector<std::pair<std::string, std::int64_t>> traffic() { return {}; }
 
   int threads() const { return threads_; }
   ThreadTeam* host_team() const { return team_.get(); }

@@ -13,6 +13,7 @@ struct BreakLog {
   std::int32_t* block_cracked;   ///< set to 1 when the first bond of a block fails: its particles may now touch
   double rotation_limit;         ///< of the ends of an intact bond against each other [rad]
   std::int32_t* limit_exceeded;  ///< set to 1 by any bond beyond it
+  const std::int32_t* steps;     ///< are added to BondStep::step, where a device counts them; null: none
 };
 
 /// Strain, rates and section of the bonds of some lanes; the only place that knows how they lie in
@@ -69,7 +70,7 @@ struct BondLanes {
 /// The bonds of which rock are evaluated, and when.
 struct BondStep {
   Index block;
-  std::int64_t step;     ///< as in BreakEvent
+  std::int64_t step;     ///< as in BreakEvent, less *BreakLog::steps
   std::int32_t substep;  ///< as in BreakEvent
   double dt;             ///< of a sub-step [s]
 };
@@ -161,7 +162,8 @@ struct BondForces {
                                 (apart ? 0 : static_cast<double>(lanes.value(power_after, lane)));
       const double released = stored - kept - 0.5 * static_cast<double>(static_cast<Real>(when.dt)) * lost_power;
       b.state[n] = apart ? bond_broken : bond_pressed;
-      log.events[take_number(log.count)] = {when.step, when.substep, n, tension >= shear ? 1 : 2, released};
+      const std::int64_t step = log.steps == nullptr ? when.step : when.step + *log.steps;
+      log.events[take_number(log.count)] = {step, when.substep, n, tension >= shear ? 1 : 2, released};
       if (!is_raised(&blocks[when.block].state)) {  // several threads may work on one block
         raise_flag(&blocks[when.block].state);
         raise_flag(log.block_cracked);

@@ -28,6 +28,9 @@ class Dem {
   virtual std::vector<WallPose> wall_poses() const = 0;
   /// Wall seconds by phase of the step, since the start.
   virtual std::vector<std::pair<std::string, double>> phase_seconds() const = 0;
+  /// What has passed between the host and a device since the program's start, by name: launches, reads, bytes. Empty
+  /// without a device.
+  virtual std::vector<std::pair<std::string, std::int64_t>> traffic() const { return {}; }
   /// Advances by one window; every wall moves as its motion says, gyrating ones along `path`.
   /// @throws StoppedByGuard when particles crowd or have too many neighbours; WindowGivenUp, after which nothing but
   /// restore() makes the scene usable again. Counts, breakages and wall loads are still those of the last whole window.

@@ -18,7 +18,8 @@ struct Window {
   double length() const { return steps * dt; }
 };
 
-/// Asked before each hold of a window with the share of its steps that are done; whether the window is given up.
+/// Asked before each step of a window, on a device before each batch of them, with the share of its steps that are
+/// done; whether the window is given up.
 using GiveUp = std::function<bool(double share_done)>;
 
 /// The eccentric over a window, as the drivetrain predicts it: constant speed, continuous angle.

@@ -3,14 +3,17 @@
 
 #include "core/dem/solver.hpp"
 #include "core/exec/phase_timer.hpp"
+#include "core/exec/traffic.hpp"
 
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <new>
 #include <numeric>
 #include <span>
+#include <stdexcept>
 
 // A device made of host memory: what the CUDA executor demands of the solver, on any machine.
 
@@ -31,7 +34,11 @@ class DeviceMemory {
   }
   void open() { protect(PROT_READ | PROT_WRITE); }
   void shut() { protect(PROT_NONE); }
-  void forget() { used_ = 0; }  ///< when no buffer is left
+  /// When no buffer is left.
+  void forget() {
+    madvise(begin_, room, MADV_DONTNEED);  // what is not there need not be shut
+    used_ = 0;
+  }
 
  private:
   static constexpr std::size_t room = std::size_t{1} << 30;
@@ -86,49 +93,74 @@ class MirrorBuffer {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// Twin of Cuda (gpu/cuda.cuh) that runs every loop backwards: no result may depend on the order.
+/// Twin of Cuda (gpu/cuda.cuh) that runs every loop backwards: no result may depend on the order. Steps ahead are
+/// recorded once and run from the record, as a graph is; nothing else may be asked of the device meanwhile.
 class Mirror {
  public:
   template <class T>
   using Buffer = MirrorBuffer<T>;
 
+  /// @param max_steps_ahead  at least 1
+  explicit Mirror(int max_steps_ahead = 1000) : max_steps_ahead_(max_steps_ahead) {}
+
   const PhaseTimer& timer() const { return timer_; }
   ThreadTeam* host_team() const { return nullptr; }
+  static std::vector<std::pair<std::string, std::int64_t>> traffic() { return by_name(counts); }
+  inline static Traffic counts;  ///< since the program's start
+
+  static constexpr bool runs_ahead = true;
+  int max_steps_ahead() const { return max_steps_ahead_; }
+  template <class Launches>
+  void repeat(int times, const std::int32_t* halted, const Launches& launches) {
+    expect_nothing_recorded();
+    const Record record = recorded(launches);
+    ++counts.graphs_recorded;
+    counts.graph_launches += times;
+    const Opened opened;
+    for (int time = 0; time < times; ++time)
+      for (const auto& kernel : record)
+        if (*halted == 0) kernel();
+  }
 
   template <class Kernel>
   void for_each(const char*, Index n, const Kernel& kernel) {
-    const Opened opened;
-    for (Index i = n - 1; i >= 0; --i) kernel(i);
+    launch([=] {
+      for (Index i = n - 1; i >= 0; --i) kernel(i);
+    });
   }
   template <class Kernel>
   void for_each_picked(const char*, Index n, const Kernel& kernel) {
-    const Opened opened;
-    for (Index i = n - 1; i >= 0; --i)
-      if (kernel.pick(i)) kernel(typename Kernel::Lane{i});
+    launch([=] {
+      for (Index i = n - 1; i >= 0; --i)
+        if (kernel.pick(i)) kernel(typename Kernel::Lane{i});
+    });
   }
   template <class Kernel>
-  void for_each_block(const char*, const BlockLaunch& launch, const Kernel& kernel) {
-    const Opened opened;
-    for (Index k = launch.blocks - 1; k >= 0; --k) {
-      const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
-      for (int pass = 0; pass < kernel.passes(k); ++pass) {
-        for (Index row = rows.end - 1; row >= rows.begin; --row) kernel.prepare(row, k, pass);
-        for (Index c = colours.begin; c < colours.end; ++c) {
-          const IndexRange items = kernel.items_of_colour(c);
-          for (Index item = items.end - 1; item >= items.begin; --item) kernel(typename Kernel::Lane{item}, k, pass);
+  void for_each_block(const char*, const BlockLaunch& shape, const Kernel& kernel) {
+    launch([=] {
+      for (Index k = shape.blocks - 1; k >= 0; --k) {
+        const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
+        for (int pass = 0; pass < kernel.passes(k); ++pass) {
+          for (Index row = rows.end - 1; row >= rows.begin; --row) kernel.prepare(row, k, pass);
+          for (Index c = colours.begin; c < colours.end; ++c) {
+            const IndexRange items = kernel.items_of_colour(c);
+            for (Index item = items.end - 1; item >= items.begin; --item) kernel(typename Kernel::Lane{item}, k, pass);
+          }
         }
       }
-    }
+    });
   }
   template <class Kernel>
   void for_each_colour(const char*, std::span<const Index> colour_begin, const Kernel& kernel) {
-    const Opened opened;
     for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c)
-      for (Index item = colour_begin[c + 1] - 1; item >= colour_begin[c]; --item) kernel(typename Kernel::Lane{item});
+      launch([=, begin = colour_begin[c], end = colour_begin[c + 1]] {
+        for (Index item = end - 1; item >= begin; --item) kernel(typename Kernel::Lane{item});
+      });
   }
   template <class T, class Map>
   T reduce(const char*, Index n, const Map& map) {
     const Opened opened;
+    count_read(sizeof(T));
     T total{};
     for (Index first = 0; first < n; first += 1024) {
       T sum{};
@@ -137,10 +169,11 @@ class Mirror {
     }
     return total;
   }
-  Index exclusive_scan(Index n, Index* counts) {
+  Index exclusive_scan(Index n, Index* numbers) {
     const Opened opened;
-    std::exclusive_scan(counts, counts + n + 1, counts, 0);
-    return counts[n];
+    count_read(sizeof(Index));
+    std::exclusive_scan(numbers, numbers + n + 1, numbers, 0);
+    return numbers[n];
   }
   /// Into other memory, as a device does: pointers into the buffers are stale afterwards.
   void sort_by_key(Buffer<std::uint64_t>& keys, Buffer<Index>& values) {
@@ -166,6 +199,7 @@ class Mirror {
   template <class T>
   static std::vector<T> host(const Buffer<T>& buffer) {
     const Opened opened;
+    if (buffer.size() > 0) count_read(buffer.size() * sizeof(T));
     return std::vector<T>(buffer.data(), buffer.data() + buffer.size());
   }
   template <class T>
@@ -175,6 +209,9 @@ class Mirror {
   }
   template <class T>
   static void append(Buffer<T>& buffer, const std::vector<T>& values) {
+    expect_nothing_recorded();
+    ++counts.writes;
+    counts.bytes_written += static_cast<std::int64_t>(values.size() * sizeof(T));
     const std::size_t first = buffer.size();
     buffer.resize(first + values.size());
     const Opened opened;
@@ -190,7 +227,36 @@ class Mirror {
   }
 
  private:
+  using Record = std::vector<std::function<void()>>;
+  template <class Launches>
+  static Record recorded(const Launches& launches) {
+    Record record;
+    struct Recording {
+      explicit Recording(Record& to) { recorded_ = &to; }
+      ~Recording() { recorded_ = nullptr; }
+    } const recording(record);
+    launches();
+    return record;
+  }
+  template <class Kernel>
+  static void launch(const Kernel& kernel) {
+    if (recorded_) return recorded_->push_back(kernel);
+    const Opened opened;
+    ++counts.launches;
+    kernel();
+  }
+  static void count_read(std::size_t bytes) {
+    expect_nothing_recorded();
+    ++counts.reads;
+    counts.bytes_read += static_cast<std::int64_t>(bytes);
+  }
+  static void expect_nothing_recorded() {
+    if (recorded_) throw std::logic_error("something else than a launch among steps ahead");
+  }
+
+  inline static Record* recorded_ = nullptr;  ///< null except in repeat()
   PhaseTimer timer_;
+  int max_steps_ahead_;
 };
 
 }  // namespace gyro::test
