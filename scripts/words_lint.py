@@ -32,7 +32,7 @@ WORDS = [(re.compile(pattern.replace("<", B).replace(">", E)), use) for pattern,
     (r"\b(turn_[ij]|mean_turn)\b", "`orientation`"),
     (r"\bspin_[ij]\b", "`angular_velocity`"),
     (r"\bmoment_(i|j|on)\b", "`torque`"),
-    (r"\bNotePlaces\b|\blisted_at\b", "`StorePositions`, `listed_position`"),
+    (r"\bNotePlaces\b|\blisted_(at|position)\b", "`bounds`"),
     # Contacts and neighbour lists.
     (r"\b(Contact(Past|Memory)|Carry(Wall)?Memory|WallMemory)\b", "`...History`"),
     (r"\b(neighbour|list)_margin\b|\bmargins? of (the )?(neighbour )?lists?\b", "`skin`"),

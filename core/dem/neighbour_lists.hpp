@@ -10,8 +10,8 @@ namespace gyro {
 /// who may touch: when they are made, and how far particles may go meanwhile, changes no bit of a result.
 ///
 /// There are two stages. Candidates and walls are sought in space and hold as long as all particles stay in their wide
-/// bounds, for some hundred steps. Pairs, which every step looks at, are chosen among the candidates and hold as long as
-/// all particles stay in their close bounds, for some ten steps. The numbers of steps cost least in the scenes of
+/// bounds, for some hundred steps. Pairs, which every step looks at, are chosen among the candidates and hold as long
+/// as all particles stay in their close bounds, for some ten steps. The numbers of steps cost least in the scenes of
 /// tests/bench.
 template <class Exec, class Real>
 class NeighbourLists {
@@ -54,7 +54,7 @@ class NeighbourLists {
     valid_ = true;
   }
 
-  /// Chooses the pairs anew.
+  /// Chooses the pairs again.
   /// @return whether the candidates leave room for that
   bool renew_pairs(Exec& exec, Store& rock, double dt) {
     constexpr double enough = 0.5;

@@ -9,7 +9,8 @@
 
 namespace gyro {
 
-/// Owns the pairs of particles that may touch while they stay in their close bounds, with their contact history and their forces.
+/// Owns the pairs of particles that may touch while they stay in their close bounds, with their contact history and
+/// their forces.
 template <class Exec, class Real>
 class PairList {
  public:

@@ -40,10 +40,7 @@ class ParticleStore {
   Block* block_view() { return blocks_.data(); }
   const Index* colour_begin() const { return colour_begin_.data(); }  ///< a block has one entry more than colours
   BondIndex bond_index() const {
-    return {with_bonds_ ? bond_row_begin_.data() : nullptr,
-            bond_row_.data(),
-            bond_partner_.data(),
-            bonds_.state.data(),
+    return {with_bonds_ ? bond_row_begin_.data() : nullptr, bond_row_.data(), bond_partner_.data(), bonds_.state.data(),
             blocks_.data()};
   }
   /// Null without bonds.
@@ -197,9 +194,9 @@ class ParticleStore {
   Particles<Buffer> particles_;
   Bonds<Buffer, Real> bonds_;
   Buffer<Block> blocks_;
-  Buffer<Index> colour_begin_;               ///< first bond of each colour; a block has one entry more than colours
+  Buffer<Index> colour_begin_;  ///< first bond of each colour; a block has one entry more than colours
   Buffer<Index> bond_row_begin_, bond_row_, bond_partner_;  ///< BondIndex
-  Buffer<Piece> pieces_, large_rows_;        ///< Pieces
+  Buffer<Piece> pieces_, large_rows_;                       ///< Pieces
   std::vector<LargeRock> large_rocks_;
   int max_substeps_ = 1;
 };

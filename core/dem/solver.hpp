@@ -27,7 +27,8 @@ class DemSolver final : public Dem {
         exec_(std::move(exec)),
         laws_(scene_),
         rock_(scene_.bonds.has_value()),
-        lists_(0.5 * scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()), keeps_extra_history(laws_.wall_model())),
+        lists_(0.5 * scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()),
+               keeps_extra_history(laws_.wall_model())),
         walls_(scene_.walls),
         accounts_(scene_.walls.size(), scene_.wall_impulses),
         ahead_(exec_) {}
@@ -82,7 +83,8 @@ class DemSolver final : public Dem {
 
   SceneSums<Exec, Real> sums() const { return {exec_, scene_, laws_, rock_, lists_, walls_.now()}; }
   typename WallAccounts<Exec>::Rock where_rock_is() const { return {rock_.particles().position, rock_.particles().id}; }
-  /// That the walls may move until the lists must be rebuilt [m]. Particles with sub-steps see walls half a step earlier.
+  /// That the walls may move until the lists must be rebuilt [m]. Particles with sub-steps see walls half a step
+  /// earlier.
   double wall_way() const { return lists_.wall_way() - (held() ? 0.5 * walls_.way_of_step() : 0); }
   bool held() const { return rock_.max_substeps() > 1; }  ///< contact and wall forces, over sub-steps of some rock
 

@@ -144,8 +144,8 @@ void DemSolver<Exec, Real>::finish_step(bool kick) {
   exec_.for_each("finish step", rock_.count(), FinishStep<Real>{.gather = gather(), .dt = scene_.dt, .kick = kick});
 }
 
-/// Keeps the first excess of a limit, and makes the neighbour lists anew as far as particles or walls have moved too far
-/// for them or a rock has cracked.
+/// Keeps the first excess of a limit, and makes the neighbour lists again as far as particles or walls have moved too
+/// far for them or a rock has cracked.
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::watch() {
   const StepFlags flags = monitor_.raised();

@@ -54,11 +54,12 @@ class WallMotion {
   /// For kernels.
   WallsNow now() const { return {surfaces_.data(), device_poses_, surfaces_.count()}; }
   const std::vector<WallPose>& poses() const { return poses_now_; }
-  /// Largest distance that a wall moves in a step of the window, planes and rotation about a profile's axis included [m].
+  /// Largest distance that a wall moves in a step of the window, planes and rotation about a profile's axis included
+  /// [m].
   double way_of_step() const { return way_of_step_; }
   /// The same of what sweeps against rock [m].
   double largest_step() const { return largest_step_; }
-  Index fastest() const { return fastest_; }             ///< the wall that does
+  Index fastest() const { return fastest_; }  ///< the wall that does
 
   /// The neighbour lists hold for the present poses.
   void store_listed() { listed_poses_ = poses_now_; }

@@ -19,7 +19,7 @@ GYRO_HD void half_kick(const D& dt, const ForceAndTorque<D>& load, ParticleRow<D
 /// Until the second half of the kick, the velocities are those of mid-step: forces that depend on them see v(n+1/2).
 struct Move {
   ParticleView p;
-  double dt;            ///< step of the scene, from one evaluation of contacts to the next [s]
+  double dt;             ///< step of the scene, from one evaluation of contacts to the next [s]
   const Sphere* bounds;  ///< of particles: as long as none leaves its own the lists hold (bounds.hpp)
   std::int32_t* stale;   ///< set to 1 by any particle that does
   bool with_orientation;

@@ -85,8 +85,10 @@ struct RowsOfFour {
 
   RowsOfFour(const Pack<T, N>& x, const Pack<T, N>& y, const Pack<T, N>& z, const Pack<T, N>& w) {
     if constexpr (N == 4) {
-      const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 4, 1, 5), xy23 = __builtin_shufflevector(x.v, y.v, 2, 6, 3, 7);
-      const auto zw01 = __builtin_shufflevector(z.v, w.v, 0, 4, 1, 5), zw23 = __builtin_shufflevector(z.v, w.v, 2, 6, 3, 7);
+      const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 4, 1, 5),
+                 xy23 = __builtin_shufflevector(x.v, y.v, 2, 6, 3, 7);
+      const auto zw01 = __builtin_shufflevector(z.v, w.v, 0, 4, 1, 5),
+                 zw23 = __builtin_shufflevector(z.v, w.v, 2, 6, 3, 7);
       row[0] = __builtin_shufflevector(xy01, zw01, 0, 1, 4, 5);
       row[1] = __builtin_shufflevector(xy01, zw01, 2, 3, 6, 7);
       row[2] = __builtin_shufflevector(xy23, zw23, 0, 1, 4, 5);

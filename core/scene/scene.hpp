@@ -104,7 +104,8 @@ struct Scene {
   double dt = 0;              ///< step, from one evaluation of contact and wall forces to the next [s]
   int substeps = 1;           ///< steps of a rock's bonds in one of the scene; a rock may have its own (NewRock)
   double damping_cap = 1;     ///< beta of largest_dashpot(): a large number for dashpots without a cap [-]
-  double neighbour_skin = 0;  ///< 0: chosen by the program [m]; changes speed, never results
+  double neighbour_skin = 0;  ///< twice the way that any particle may go until neighbours are sought again, 0: by their
+                              ///< speed [m]; changes speed, never results
   StepLimits limits;
   bool wall_impulses = false;  ///< Dem::take_wall_impulses() has something to give
 };

@@ -52,7 +52,7 @@ struct PairEnds {
   Index i, j;
 };
 
-/// Columns of the pair list: pairs of particles whose surfaces are nearer than the skin.
+/// Columns of the pair list: pairs of particles whose close bounds overlap.
 template <template <class> class Column, class Real>
 struct Pairs {
   Column<Pair> pair;

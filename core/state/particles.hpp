@@ -91,10 +91,10 @@ struct Particles {
   Column<Sphere> position;
   Column<Motion> motion;
   Column<AngularMotion> angular_motion;
-  Column<Quatd> orientation;      ///< since the particle came into the scene; empty without bonds
-  Column<Load> load;              ///< total at the present position, gravity included
-  Column<Load> bond_load;         ///< from bonds alone; empty without bonds
-  Column<double> step;            ///< of its rock: the scene's over its sub-steps [s]
+  Column<Quatd> orientation;  ///< since the particle came into the scene; empty without bonds
+  Column<Load> load;          ///< total at the present position, gravity included
+  Column<Load> bond_load;     ///< from bonds alone; empty without bonds
+  Column<double> step;        ///< of its rock: the scene's over its sub-steps [s]
   Column<LostWork> losses;
   Column<double> damping_rate;  ///< of its contacts in their last evaluation: sum of ContactLoad::dashpot / mass [1/s]
   Column<ParticleId> id;

@@ -90,7 +90,8 @@ struct WallResult {
   Real dashpot;              ///< sum of ContactLoad::dashpot [N s/m]
 };
 
-/// Columns of the wall list: particles nearer to a wall than the skin. Rows are ordered by wall.
+/// Columns of the wall list: particles that may touch a wall while they stay in their wide bounds. Rows are ordered by
+/// wall.
 template <template <class> class Column, class Real>
 struct WallPairs {
   Column<WallEntry> entry;

@@ -191,10 +191,26 @@ struct CountPicked {
 };
 
 template <int N>
+struct CountPickedSingly : CountPicked<N> {};
+
+/// The same; packs of neighbours are looked at together.
+template <int N>
+struct CountPickedTogether : CountPicked<N> {
+  std::uint32_t pick_each(const Picked<N>& run) const {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < N; ++k) {
+      CHECK(run[k] == run[0] + k);
+      bits |= (this->pick(run[k]) ? 1u : 0u) << k;
+    }
+    return bits;
+  }
+};
+
+template <int N, template <int> class Kernel>
 void check_picked(Index n, int threads, bool all) {
   std::vector<int> looks(static_cast<std::size_t>(n)), works(looks);
   Cpu cpu(threads);
-  cpu.for_each_picked("pick", n, CountPicked<N>{looks.data(), works.data(), all});
+  cpu.for_each_picked("pick", n, Kernel<N>{{looks.data(), works.data(), all}});
   for (std::size_t i = 0; i < looks.size(); ++i) {
     CAPTURE(N, n, threads, all, i);
     REQUIRE(looks[i] == 1);
@@ -208,9 +224,11 @@ TEST_CASE("What is picked is worked on once, in packs of any width", "[exec]") {
   const Index n = GENERATE(0, 1, 7, 63, 64, 65, 129, 191, 192, 1000, 5003);
   const int threads = GENERATE(1, 2, 7);
   for (const bool all : {true, false}) {
-    check_picked<1>(n, threads, all);
-    check_picked<4>(n, threads, all);
-    check_picked<8>(n, threads, all);
+    check_picked<1, CountPickedSingly>(n, threads, all);
+    check_picked<4, CountPickedSingly>(n, threads, all);
+    check_picked<8, CountPickedSingly>(n, threads, all);
+    check_picked<4, CountPickedTogether>(n, threads, all);
+    check_picked<8, CountPickedTogether>(n, threads, all);
   }
 }
 
