@@ -27,7 +27,7 @@ FLAGS = ["-std=c++20", "-O3", "-DNDEBUG", "--fmad=false", "-Xcompiler=-ffp-contr
 # at run time lie on the stack.
 LIMITS = {"WallForces": (1536, 0), "ContactSums": (1024, 0), "LevelRadii": (128, 0)}
 MAX_REGISTERS = 255
-PLAIN = re.compile(r"Keep<|ClearWallSums|StorePositions|CellBegins")
+PLAIN = re.compile(r"Keep<|ClearWallSums|CellBegins")
 
 ENTRY = re.compile(
     r"Compiling entry function '(?P<name>\S+)'.*?(?P<stack>\d+) bytes stack frame, (?P<stores>\d+) bytes spill stores, "

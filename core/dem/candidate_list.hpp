@@ -14,28 +14,48 @@ template <class Exec>
 class CandidateList {
  public:
   /// For kernels.
-  CandidateTable table() { return {room_, count_.data(), partner_.data()}; }
+  CandidateTable table() { return {room_, count_.data(), partner_.data(), long_begin_.data(), long_partner_.data()}; }
 
   /// @param bounds  wide bounds of all particles
   /// @throws StoppedByGuard when particles crowd or there are more candidates than pairs can be numbered
   template <class Real>
   void find(Exec& exec, const ParticleStore<Exec, Real>& rock, const Sphere* bounds) {
     cells_.build(exec, rock, bounds);
-    for (;;) {
-      const auto rows = static_cast<std::size_t>(rock.count());
-      count_.resize(rows);
-      partner_.resize(rows * static_cast<std::size_t>(room_));
-      const FindCandidates kernel{rock.read(), cells_.grid(), rock.bond_index(), bounds, table()};
-      exec.for_each("find candidates", rock.count(), kernel);
-      const CandidateCount found =
-          exec.template reduce<CandidateCount>("count candidates", rock.count(), CandidateCountOf{count_.data()});
-      expect_few(found.total);
-      if (found.longest <= room_) return;
-      room_ = found.longest + found.longest / 4;
+    const Index particles = rock.count();
+    const CandidateCount found = fill_rows(exec, rock, bounds);
+    expect_few(found.total);
+    long_partner_.resize(static_cast<std::size_t>(found.in_long));
+    if (found.in_long > 0) {
+      long_begin_.resize(static_cast<std::size_t>(particles) + 1);
+      exec.for_each("find candidates", particles, LongLength{table()});
+      exec.exclusive_scan(particles, long_begin_.data());
+      exec.for_each("find candidates", particles, search(rock, bounds, true));
     }
   }
 
  private:
+  template <class Real>
+  FindCandidates search(const ParticleStore<Exec, Real>& rock, const Sphere* bounds, bool fills_long) {
+    return {rock.read(), cells_.grid(), rock.bond_index(), bounds, table(), fills_long};
+  }
+
+  /// Rows have room for half as many again as there are on average.
+  template <class Real>
+  CandidateCount fill_rows(Exec& exec, const ParticleStore<Exec, Real>& rock, const Sphere* bounds) {
+    const Index particles = rock.count();
+    const auto fill = [&](Index room) {
+      room_ = room;
+      count_.resize(static_cast<std::size_t>(particles));
+      partner_.resize(static_cast<std::size_t>(particles) * static_cast<std::size_t>(room_));
+      exec.for_each("find candidates", particles, search(rock, bounds, false));
+      return exec.template reduce<CandidateCount>("count candidates", particles, CandidateCountOf{table()});
+    };
+    const CandidateCount found = fill(room_);
+    const auto wanted = static_cast<Index>(smaller(1.5 * static_cast<double>(found.total) / (particles + 1), 1e6)) + 4;
+    const bool too_small = 4 * found.in_long > found.total, too_large = room_ > 2 * wanted;
+    return too_small || too_large ? fill(wanted) : found;
+  }
+
   static void expect_few(std::int64_t total) {
     constexpr std::int64_t maximum = 1'000'000'000;  // each has two ends, which are numbered too
     if (total > maximum)
@@ -44,8 +64,8 @@ class CandidateList {
   }
 
   CellGrid<Exec> cells_;
-  Index room_ = 16;
-  typename Exec::template Buffer<Index> count_, partner_;
+  Index room_ = 12;
+  typename Exec::template Buffer<Index> count_, partner_, long_begin_, long_partner_;
 };
 
 }  // namespace gyro

@@ -11,8 +11,7 @@ namespace gyro {
 ///
 /// There are two stages. Candidates and walls are sought in space and hold as long as all particles stay in their wide
 /// bounds, for some hundred steps. Pairs, which every step looks at, are chosen among the candidates and hold as long
-/// as all particles stay in their close bounds, for some ten steps. The numbers of steps cost least in the scenes of
-/// tests/bench.
+/// as all particles stay in their close bounds, for some ten steps (steps_of_lists).
 template <class Exec, class Real>
 class NeighbourLists {
  public:
@@ -32,24 +31,23 @@ class NeighbourLists {
 
   /// False: they must be rebuilt before the next forces, whatever has moved.
   bool valid() const { return valid_; }
-  const Sphere* bounds() const { return close_.data(); }       ///< close ones, of all particles
-  double wall_way() const { return wall_way_; }                ///< that walls may move until the next rebuild [m]
+  const Sphere* bounds() const { return close_.data(); }  ///< close ones, of all particles
+  /// How far each wall may move until the next rebuild [m].
+  const std::vector<double>& wall_ways() const { return wall_ways_; }
   double smallest_radius() const { return smallest_radius_; }  ///< of the particles at the last rebuild, 0: none [m]
 
   /// Seeks candidates, pairs and walls.
-  /// @param dt         step of the scene [s]
-  /// @param wall_step  distance that walls move in a step, at most [m]
+  /// @param dt          step of the scene [s]
+  /// @param wall_steps  distance that each wall moves in a step [m]
   /// @throws StoppedByGuard when particles crowd or there are too many pairs
-  void rebuild(Exec& exec, Store& rock, const WallsNow& walls, double dt, double wall_step) {
+  void rebuild(Exec& exec, Store& rock, const WallsNow& walls, double dt, const std::vector<double>& wall_steps) {
     const Index particles = rock.count();
-    const Flock flock = exec.template reduce<Flock>("sum speeds", particles, FlockOf{rock.read()});
-    smallest_radius_ = particles > 0 ? flock.smallest : 0;
-    speed_ = particles > 0 ? std::sqrt(flock.speed2 / particles) : 0;
-    wall_way_ = given_way_ > 0 ? given_way_ : (steps_wide + 1) * wall_step;
+    look_at(exec.template reduce<Flock>("sum speeds", particles, FlockOf{rock.read()}), particles, dt);
+    set_wall_ways(wall_steps);
     wide_.resize(static_cast<std::size_t>(particles));
     exec.for_each("wide bounds", particles, SetWideBounds{rock.read(), dt, wide_ways(dt), wide_.data()});
     candidates_.find(exec, rock, wide_.data());
-    walls_.find(exec, rock, walls, wide_.data(), wall_way_);
+    walls_.find(exec, rock, walls, wide_.data(), device_wall_ways_.data());
     choose_pairs(exec, rock, dt);
     valid_ = true;
   }
@@ -89,10 +87,29 @@ class NeighbourLists {
   }
 
  private:
-  static constexpr int steps_wide = 200, steps_close = 25;  ///< for which bounds are to hold
+  static constexpr double max_way = 4;  ///< of a wide bound over radius, and of a wall over the mean radius [-]
 
-  Ways wide_ways(double dt) const { return {steps_wide * dt, speed_, 0.1, 4, given_way_}; }
-  Ways close_ways(double dt) const { return {steps_close * dt, speed_, 0.01, 1, 0}; }
+  Ways wide_ways(double dt) const { return {steps_.wide * dt, speed_, 0.1, max_way, given_way_}; }
+  Ways close_ways(double dt) const { return {steps_.close * dt, speed_, 0.01, 1, 0}; }
+
+  void look_at(const Flock& flock, Index particles, double dt) {
+    if (particles == 0) return;
+    smallest_radius_ = flock.smallest;
+    mean_radius_ = particles / flock.curvature;
+    speed_ = std::sqrt(flock.speed2 / particles);
+    steps_ = steps_of_lists(dt * (flock.radii_in_time / particles + speed_ / mean_radius_));
+  }
+
+  /// A wall that moves far in a step makes the lists stale in each. Particles with sub-steps see walls half a step
+  /// earlier, which is less than any way.
+  void set_wall_ways(const std::vector<double>& wall_steps) {
+    wall_ways_.clear();
+    for (const double step : wall_steps) {
+      const double wanted = given_way_ > 0 ? given_way_ : smaller((steps_.wide + 1) * step, max_way * mean_radius_);
+      wall_ways_.push_back(larger(wanted, step));
+    }
+    Exec::upload(device_wall_ways_, wall_ways_);
+  }
   SetCloseBounds close_bounds(const Store& rock, double dt) {
     return {rock.read(), dt, close_ways(dt), wide_.data(), close_.data()};
   }
@@ -108,8 +125,12 @@ class NeighbourLists {
     valid_ = false;
   }
 
-  double given_way_, wall_way_ = 0, smallest_radius_ = 0;
-  double speed_ = 0;  ///< root mean square of all particles at the last rebuild [m/s]
+  double given_way_;
+  double smallest_radius_ = 0, mean_radius_ = 0;  ///< at the last rebuild; the mean is harmonic [m]
+  double speed_ = 0;                              ///< root mean square of all particles then [m/s]
+  ListSteps steps_{400, 60};
+  std::vector<double> wall_ways_;
+  typename Exec::template Buffer<double> device_wall_ways_;
   bool valid_ = false;
   typename Exec::template Buffer<Sphere> wide_, close_;  ///< bounds of all particles
   CandidateList<Exec> candidates_;

@@ -18,7 +18,7 @@ void DemSolver<Exec, Real>::take_steps_ahead(const Window& window) {
   while (done < window.steps) {
     ask_whether_given_up(window, done);
     const int wanted = std::min(ahead_.size().steps(), window.steps - done);
-    const int stop_at = lists_.valid() ? walls_.first_beyond(wall_way(), done + 1, done + wanted) : done + 1;
+    const int stop_at = lists_.valid() ? walls_.first_too_far(walls_seen_early(), done + 1, done + wanted) : done + 1;
     const int end = std::min(done + wanted, stop_at);
     launch_steps(window, {.done = done, .end = end, .stop_at = stop_at});
     const StepProgress reached = ahead_.reached();

@@ -83,9 +83,8 @@ class DemSolver final : public Dem {
 
   SceneSums<Exec, Real> sums() const { return {exec_, scene_, laws_, rock_, lists_, walls_.now()}; }
   typename WallAccounts<Exec>::Rock where_rock_is() const { return {rock_.particles().position, rock_.particles().id}; }
-  /// That the walls may move until the lists must be rebuilt [m]. Particles with sub-steps see walls half a step
-  /// earlier.
-  double wall_way() const { return lists_.wall_way() - (held() ? 0.5 * walls_.way_of_step() : 0); }
+  /// Share of a step by which particles with sub-steps see walls earlier.
+  double walls_seen_early() const { return held() ? 0.5 : 0; }
   bool held() const { return rock_.max_substeps() > 1; }  ///< contact and wall forces, over sub-steps of some rock
 
   Scene scene_;

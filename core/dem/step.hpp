@@ -150,7 +150,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::watch() {
   const StepFlags flags = monitor_.raised();
   if (flags.limit_exceeded) keep_excess();
-  if (!lists_.valid() || flags.block_cracked || walls_.moved_beyond(wall_way())) return rebuild_lists();
+  if (!lists_.valid() || flags.block_cracked || walls_.moved_too_far(walls_seen_early())) return rebuild_lists();
   if (!flags.moved_too_far) return;
   if (!lists_.renew_pairs(exec_, rock_, scene_.dt)) return rebuild_lists();
   monitor_.pairs_renewed();
@@ -159,9 +159,9 @@ void DemSolver<Exec, Real>::watch() {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::rebuild_lists() {
   accounts_.add_up(exec_, lists_.walls().entries());
-  lists_.rebuild(exec_, rock_, walls_.now(), scene_.dt, walls_.way_of_step());
+  lists_.rebuild(exec_, rock_, walls_.now(), scene_.dt, walls_.steps());
   accounts_.set_entries(lists_.walls().count());
-  walls_.store_listed();
+  walls_.store_listed(lists_.wall_ways());
   monitor_.lists_rebuilt();
 }
 

@@ -28,12 +28,12 @@ class WallList {
 
   /// Finds all walls that a particle may touch while it stays in its bound; those that touched keep their history.
   /// @param bounds  wide bounds of all particles
-  /// @param way     that walls may move meanwhile [m]
-  void find(Exec& exec, const Store& rock, const WallsNow& walls, const Sphere* bounds, double way) {
+  /// @param ways    that each wall may move meanwhile [m]
+  void find(Exec& exec, const Store& rock, const WallsNow& walls, const Sphere* bounds, const double* ways) {
     const Index particles = rock.count();
     std::swap(now_, old_);
     now_.row_begin.resize(static_cast<std::size_t>(particles) + 1);
-    FindWalls find{bounds, walls, way, {now_.row_begin.data(), nullptr}};
+    FindWalls find{bounds, walls, ways, {now_.row_begin.data(), nullptr}};
     exec.for_each("count walls", particles, find);
     const auto total = static_cast<std::size_t>(exec.exclusive_scan(particles, now_.row_begin.data()));
     now_.entry.resize(total);
@@ -47,7 +47,7 @@ class WallList {
     measure(exec, {.p = rock.read(),
                    .walls = walls,
                    .bounds = bounds,
-                   .way = way,
+                   .ways = ways,
                    .entry = now_.entry.data(),
                    .clearance = nullptr,
                    .begin = nullptr});

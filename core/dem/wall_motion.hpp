@@ -34,9 +34,8 @@ class WallMotion {
     for (int k = 0; k <= window.steps; ++k)
       for (std::size_t w = 0; w < count; ++w) table_[static_cast<std::size_t>(k) * count + w] = pose_after(k, w);
     find_fastest(walls, window.dt);
-    way_of_step_ = 0;
-    for (std::size_t w = 0; w < count; ++w)
-      way_of_step_ = std::max(way_of_step_, moved(w, table_[w], table_[count + w]));
+    steps_.clear();
+    for (std::size_t w = 0; w < count; ++w) steps_.push_back(moved(w, table_[w], table_[count + w]));
     upload_table();
     go_to_step(0);
   }
@@ -54,20 +53,22 @@ class WallMotion {
   /// For kernels.
   WallsNow now() const { return {surfaces_.data(), device_poses_, surfaces_.count()}; }
   const std::vector<WallPose>& poses() const { return poses_now_; }
-  /// Largest distance that a wall moves in a step of the window, planes and rotation about a profile's axis included
-  /// [m].
-  double way_of_step() const { return way_of_step_; }
-  /// The same of what sweeps against rock [m].
+  const std::vector<double>& steps() const { return steps_; }  ///< distance that each wall moves in a step [m]
+  /// Largest distance that a wall moves in a step, without planes and rotation about a profile's axis [m].
   double largest_step() const { return largest_step_; }
   Index fastest() const { return fastest_; }  ///< the wall that does
 
-  /// The neighbour lists hold for the present poses.
-  void store_listed() { listed_poses_ = poses_now_; }
-  /// Whether a wall has moved further since then [m].
-  bool moved_beyond(double distance) const { return moved_beyond(distance, poses_now_.data()); }
+  /// The neighbour lists hold until a wall has moved further than these ways [m].
+  void store_listed(const std::vector<double>& ways) {
+    listed_poses_ = poses_now_;
+    listed_ways_ = ways;
+  }
+  /// Whether one has.
+  /// @param early  share of a step by which particles may see walls earlier
+  bool moved_too_far(double early) const { return moved_too_far(early, poses_now_.data()); }
   /// The first of the planned steps [from, to] at whose end one will have; `to` + 1 if none will.
-  int first_beyond(double distance, int from, int to) const {
-    while (from <= to && !moved_beyond(distance, row_of(from))) ++from;
+  int first_too_far(double early, int from, int to) const {
+    while (from <= to && !moved_too_far(early, row_of(from))) ++from;
     return from;
   }
 
@@ -99,10 +100,10 @@ class WallMotion {
     Exec::upload(device_table_, std::move(rows));
   }
 
-  bool moved_beyond(double distance, const WallPose* poses) const {
-    GYRO_EXPECT(listed_poses_.size() == poses_now_.size());
+  bool moved_too_far(double early, const WallPose* poses) const {
+    GYRO_EXPECT(listed_poses_.size() == poses_now_.size() && listed_ways_.size() == steps_.size());
     for (std::size_t w = 0; w < poses_now_.size(); ++w)
-      if (moved(w, listed_poses_[w], poses[w]) > distance) return true;
+      if (moved(w, listed_poses_[w], poses[w]) > listed_ways_[w] - early * steps_[w]) return true;
     return false;
   }
 
@@ -120,7 +121,8 @@ class WallMotion {
   typename Exec::template Buffer<WallPose> device_table_;  ///< as upload_table() says
   const WallPose* device_poses_ = nullptr;                 ///< row of this step
   std::vector<WallPose> poses_now_, listed_poses_;
-  double largest_step_ = 0, way_of_step_ = 0;
+  std::vector<double> steps_, listed_ways_;
+  double largest_step_ = 0;
   Index fastest_ = none;
 };
 

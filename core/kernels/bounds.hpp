@@ -25,7 +25,7 @@ GYRO_HD Vec3<D> seen_centre(const Vec3<D>& centre, const Vec3<D>& velocity, cons
 template <class D>
 GYRO_HD auto has_left(const Vec3<D>& centre, const D& bound, const Vec3<D>& seen, const D& radius) {
   const D way = bound - radius;
-  return norm2(seen - centre) > D(1 - 1e-9) * way * way;
+  return norm2(seen - centre) > D(1 - 1e-6) * way * way;
 }
 
 /// Whether two bounds touch or overlap.
@@ -49,6 +49,12 @@ struct Ways {
   }
 };
 
+/// How far contacts see a particle ahead of its position [m]. Ways are longer by that: at the start of a scene contacts
+/// see positions.
+GYRO_HD inline double way_ahead(const Vec3d& velocity, double dt, double step) {
+  return time_to_middle(dt, step) * norm(velocity);
+}
+
 /// Gives all particles their wide bounds, inside which candidates for contacts are sought.
 struct SetWideBounds {
   ConstParticleView p;
@@ -59,7 +65,8 @@ struct SetWideBounds {
   GYRO_HD void operator()(Index n) const {
     const Sphere sphere = p.position[n];
     const Vec3d v = p.motion[n].v;
-    wide[n] = {seen_centre(sphere.x, v, dt, p.step[n]), sphere.radius + ways.of(sphere, v)};
+    const double step = p.step[n];
+    wide[n] = {seen_centre(sphere.x, v, dt, step), sphere.radius + ways.of(sphere, v) + way_ahead(v, dt, step)};
   }
 };
 
@@ -75,11 +82,12 @@ struct SetCloseBounds {
   GYRO_HD void operator()(Index n) const {
     const Sphere sphere = p.position[n];
     const Vec3d v = p.motion[n].v, seen = seen_centre(sphere.x, v, dt, p.step[n]);
-    close[n] = {seen, sphere.radius + smaller(ways.of(sphere, v), left(sphere, seen, n))};
+    const double way = ways.of(sphere, v) + way_ahead(v, dt, p.step[n]);
+    close[n] = {seen, sphere.radius + smaller(way, left(sphere, seen, n))};
   }
   /// What is left of a particle's way in its wide bound, at least 0 [m].
   GYRO_HD double left(const Sphere& sphere, const Vec3d& seen, Index n) const {
-    const double way = (1 - 1e-9) * (wide[n].radius - sphere.radius) - norm(seen - wide[n].x);
+    const double way = (1 - 1e-6) * (wide[n].radius - sphere.radius) - norm(seen - wide[n].x);
     return way > 0 ? way : 0;
   }
 };
@@ -98,17 +106,42 @@ struct RoomIn {
   }
 };
 
-/// Sizes and speeds of all particles.
+/// Sizes and speeds of all particles: the smallest radius, and sums.
 struct Flock {
-  double smallest = 1e300;  ///< radius [m]
-  double speed2 = 0;        ///< sum of the squares of speeds [m2/s2]
+  double smallest = 1e300;   ///< radius [m]
+  double speed2 = 0;         ///< squares of speeds [m2/s2]
+  double curvature = 0;      ///< 1/radius [1/m]
+  double radii_in_time = 0;  ///< speed/radius [1/s]
   GYRO_HD friend Flock operator+(const Flock& a, const Flock& b) {
-    return {smaller(a.smallest, b.smallest), a.speed2 + b.speed2};
+    return {smaller(a.smallest, b.smallest), a.speed2 + b.speed2, a.curvature + b.curvature,
+            a.radii_in_time + b.radii_in_time};
   }
 };
 struct FlockOf {
   ConstParticleView p;
-  GYRO_HD Flock operator()(Index n) const { return {p.position[n].radius, norm2(p.motion[n].v)}; }
+  GYRO_HD Flock operator()(Index n) const {
+    const double radius = p.position[n].radius, speed2 = norm2(p.motion[n].v);
+    return {radius, speed2, 1 / radius, ::sqrt(speed2) / radius};
+  }
 };
+
+/// Steps for which lists are to hold, wide and close.
+struct ListSteps {
+  double wide, close;
+};
+/// The number of steps T that costs least, if a list of T steps costs (1 + g T)^3 (look + make/T) a step: the zero of its
+/// derivative, 3 look g T^2 + 2 make g T - make.
+GYRO_HD inline double cheapest_steps(double g, double look, double make) {
+  return (::sqrt(make * make * g * g + 3 * look * make * g) - make * g) / (3 * look * g);
+}
+/// The numbers of steps that cost least. Particles whose ways are g radii a step, on average, have (1 + g T)^3 times
+/// the neighbours if lists are to hold for T steps. In units of the cost of a look at a pair, choosing a pair again
+/// costs 12, a look at a candidate meanwhile 1, and finding a candidate 10: of one core in S1 (tests/bench). No bit
+/// depends on them.
+GYRO_HD inline ListSteps steps_of_lists(double radii_in_step) {
+  const double g = larger(radii_in_step, 1e-6);
+  const double close = smaller(larger(cheapest_steps(g, 1, 12), 3.0), 60.0);
+  return {smaller(larger(cheapest_steps(g, 1 / close, 10), 2 * close), 400.0), close};
+}
 
 }  // namespace gyro

@@ -10,25 +10,32 @@
 
 namespace gyro {
 
-/// Table of the partners that a particle may touch while both stay in their wide bounds: a row a particle.
+/// Table of the partners that a particle may touch while both stay in their wide bounds: a row a particle. Rows of
+/// equal length hold most of them; what is longer lies elsewhere.
 struct CandidateTable {
-  Index room;      ///< partners that a row has place for
-  Index* count;    ///< of each row; more than it has place for: the table must be larger
-  Index* partner;  ///< row by row
+  Index room;         ///< length of rows
+  Index* count;       ///< partners of each particle
+  Index* partner;     ///< row by row
+  Index* long_begin;  ///< of particles with more partners than a row has room for, into long_partner
+  Index* long_partner;
 
+  GYRO_HD bool is_long(Index n) const { return count[n] > room; }
   GYRO_HD Index* row(Index n) const { return partner + static_cast<std::int64_t>(n) * room; }
+  GYRO_HD Index* partners(Index n) const { return is_long(n) ? long_partner + long_begin[n] : row(n); }
 };
 
 /// Finds the candidates of a particle among those of its own level that have a higher id and among all of
-/// coarser levels: every pair of the scene once.
+/// coarser levels: every pair of the scene once. The first run counts all and fills rows, the second what is long.
 struct FindCandidates {
   ConstParticleView p;
   Grid grid;
   BondIndex bonds;
   const Sphere* bounds;
   CandidateTable table;
+  bool fills_long;
 
   GYRO_HD void operator()(Index n) const {
+    if (fills_long && !table.is_long(n)) return;
     const Sphere sphere = bounds[n];
     const int own = grid.level_of(sphere.radius);
     Index found = 0;
@@ -62,22 +69,30 @@ struct FindCandidates {
     if (bonds.in_one_rock(p.block[n], p.block[other]) && bonds.blocks[p.block[n]].state == block_intact &&
         bonds.between(n, other) != none)
       return;  // they cannot come apart yet
-    if (found < table.room) table.row(n)[found] = other;
+    if (fills_long)
+      table.long_partner[table.long_begin[n] + found] = other;
+    else if (found < table.room)
+      table.row(n)[found] = other;
     ++found;
   }
 };
 
-/// Length of the rows of candidates.
+/// Numbers of candidates.
 struct CandidateCount {
-  std::int64_t total = 0;
-  Index longest = 0;
+  std::int64_t total = 0, in_long = 0;
   GYRO_HD friend CandidateCount operator+(const CandidateCount& a, const CandidateCount& b) {
-    return {a.total + b.total, a.longest > b.longest ? a.longest : b.longest};
+    return {a.total + b.total, a.in_long + b.in_long};
   }
 };
 struct CandidateCountOf {
-  const Index* count;
-  GYRO_HD CandidateCount operator()(Index n) const { return {count[n], count[n]}; }
+  CandidateTable table;
+  GYRO_HD CandidateCount operator()(Index n) const { return {table.count[n], table.is_long(n) ? table.count[n] : 0}; }
+};
+
+/// Length of each row that is long, 0 for the others.
+struct LongLength {
+  CandidateTable table;
+  GYRO_HD void operator()(Index n) const { table.long_begin[n] = table.is_long(n) ? table.count[n] : 0; }
 };
 
 /// Finds the pairs among the candidates that may touch while both stay in their close bounds.
@@ -90,7 +105,7 @@ struct FindPairs {
 
   GYRO_HD void operator()(Index n) const {
     const Sphere sphere = bounds[n];
-    const Index* partner = candidates.row(n);
+    const Index* partner = candidates.partners(n);
     Index found = 0;
     for (Index k = 0; k < candidates.count[n] && !rows.is_full(n, found); ++k)
       if (reach_each_other(sphere, bounds[partner[k]])) rows.add(n, found, pair_of(n, partner[k]));
@@ -103,12 +118,6 @@ struct FindPairs {
     const Index bond = bonds.in_one_rock(p.block[n], p.block[other]) ? bonds.between(n, other) : none;
     return {lower ? n : other, lower ? other : n, bond};
   }
-};
-
-/// Number of pairs, in 64 bits: lists number them in 32.
-struct PairTotal {
-  const Index* counts;
-  GYRO_HD std::int64_t operator()(Index n) const { return counts[n]; }
 };
 
 /// Counts or enters the two ends of each pair in the rows of its particles.

@@ -13,7 +13,7 @@ namespace gyro {
 struct FindWalls {
   const Sphere* bounds;
   WallsNow walls;
-  double way;  ///< that walls may move meanwhile [m]
+  const double* ways;  ///< that each wall may move meanwhile [m]
   RowFiller<WallEntry> rows;
 
   GYRO_HD void operator()(Index n) const {
@@ -22,7 +22,7 @@ struct FindWalls {
     for (Index w = 0; w < walls.count && !rows.is_full(n, found); ++w) {
       const Vec3d centre = to_body(walls.poses[w], bound.x);
       SegmentRange range{0, 0};
-      if (near(walls.surfaces[w], centre, bound.radius + way, range)) rows.add(n, found, {n, w, range});
+      if (near(walls.surfaces[w], centre, bound.radius + ways[w], range)) rows.add(n, found, {n, w, range});
     }
     rows.end_row(n, found);
   }
@@ -79,7 +79,7 @@ struct MeasureWalls {
   ConstParticleView p;
   WallsNow walls;
   const Sphere* bounds;
-  double way;  ///< as in FindWalls [m]
+  const double* ways;  ///< as in FindWalls [m]
   WallEntry* entry;
   WallClearance* clearance;
   Index* begin;  ///< of the entry's triangles; counting run: how many, at least
@@ -89,7 +89,7 @@ struct MeasureWalls {
   GYRO_HD void operator()(Index n) const {
     const WallSurface& wall = walls.surfaces[entry[n].wall];
     const Sphere bound = bounds[entry[n].particle];
-    const double radius = p.position[entry[n].particle].radius, reach = bound.radius + way;
+    const double radius = p.position[entry[n].particle].radius, reach = bound.radius + ways[entry[n].wall];
     const Vec3d centre = to_body(walls.poses[entry[n].wall], bound.x);
     const bool counts = triangle == nullptr;
     // Planes of triangles are known to 1e-7 rad (mesh_grid.cpp), both here and when a distance is computed again.

@@ -4,6 +4,8 @@
 
 #include "tests/catch.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -77,11 +79,32 @@ TEST_CASE("Close bounds are by speed and end where the wide ones end", "[kernels
     room = room + RoomIn{set}(n);
   }
   CHECK(spheres.close_bound[0].radius - 0.01 == Approx(0.01 * 0.01).epsilon(1e-9));
-  CHECK(spheres.close_bound[1].radius - 0.01 == Approx(0.0001).epsilon(1e-4));
-  CHECK(spheres.close_bound[3].radius - 0.01 == Approx(10 * dt * 20.5).epsilon(1e-9));
-  CHECK(room.smallest == Approx(0.0001 / (10 * dt * 5.5)).epsilon(1e-4));  // of the third
-  spheres.position[1].x.y += 0.0002;                                       // out of its wide bound
+  const double ahead = dt / 4;  // of a metre per second
+  CHECK(spheres.close_bound[1].radius - 0.01 == Approx(0.0001 + 2 * ahead).epsilon(1e-4));
+  CHECK(spheres.close_bound[3].radius - 0.01 == Approx(10 * dt * 20.5 + 20 * ahead).epsilon(1e-9));
+  CHECK(room.smallest == Approx((0.0001 + 5 * ahead) / (10 * dt * 5.5)).epsilon(1e-4));  // of the third
+  spheres.position[1].x.y += 0.0002;                                                     // out of its wide bound
   set(1);
   CHECK(spheres.close_bound[1].radius == 0.01);
   CHECK(RoomIn{set}(1).smallest == 0);
+}
+
+TEST_CASE("Lists hold for the numbers of steps that cost least", "[kernels]") {
+  for (const double g : {0.002, 0.005, 0.02}) {
+    CAPTURE(g);
+    const ListSteps steps = steps_of_lists(g);
+    const auto cost_close = [g](double t) { return std::pow(1 + g * t, 3) * (1 + 12 / t); };
+    const auto cost_wide = [g, &steps](double t) { return std::pow(1 + g * t, 3) * (1 / steps.close + 10 / t); };
+    double least_close = 1e300, least_wide = 1e300;
+    for (double t = 1; t < 2000; t *= 1.01) {
+      least_close = std::min(least_close, cost_close(t));
+      least_wide = std::min(least_wide, cost_wide(t));
+    }
+    CHECK(cost_close(steps.close) < 1.001 * least_close);
+    CHECK(cost_wide(steps.wide) < 1.001 * least_wide);
+  }
+  CHECK(steps_of_lists(0).close == 60);
+  CHECK(steps_of_lists(0).wide == 400);
+  CHECK(steps_of_lists(10).close == 3);
+  CHECK(steps_of_lists(10).wide == 6);
 }

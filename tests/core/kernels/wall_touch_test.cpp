@@ -55,7 +55,8 @@ struct Listed {
     ConstParticleView p{};
     p.position = spheres.data();
     const WallsNow walls{&surface, &pose, 1};
-    FindWalls find{bounds.data(), walls, 0, {rows.data(), nullptr}};
+    const double way = 0;
+    FindWalls find{bounds.data(), walls, &way, {rows.data(), nullptr}};
     for (Index n = 0; n < count; ++n) find(n);
     std::exclusive_scan(rows.begin(), rows.end(), rows.begin(), 0);
     entries.resize(static_cast<std::size_t>(rows.back()));
@@ -63,7 +64,7 @@ struct Listed {
     for (Index n = 0; n < count; ++n) find(n);
     clearance.resize(entries.size());
     begin.assign(entries.size() + 1, 0);
-    MeasureWalls measure{p, walls, bounds.data(), 0, entries.data(), clearance.data(), begin.data()};
+    MeasureWalls measure{p, walls, bounds.data(), &way, entries.data(), clearance.data(), begin.data()};
     for (Index n = 0; n < size(); ++n) measure(n);
     std::exclusive_scan(begin.begin(), begin.end(), begin.begin(), 0);
     triangles.resize(static_cast<std::size_t>(begin.back()) + 1);
