@@ -78,10 +78,10 @@ class CellGrid {
   }
 
   /// A search costs about 27 times the sum of the squares of the cells' particles. Rock fills a cell with some
-  /// tens of its size; thousands on average only when particles lie in each other or their bounds are absurd.
+  /// tens of its size, with hundreds if it is fast; thousands on average only when particles lie in each other or their bounds are absurd.
   template <class Real>
   void expect_no_crowd(Exec& exec, const ParticleStore<Exec, Real>& rock) const {
-    constexpr double max_in_cell = 2000, little_work = 1e4;
+    constexpr double max_in_cell = 4000, little_work = 1e4;
     const Crowd crowd = exec.template reduce<Crowd>("crowd", grid_.cells, CrowdOf{begin_.data()});
     if (crowd.squares <= max_in_cell * larger(static_cast<double>(rock.count()), little_work)) return;
     const auto sorted = Exec::host(sorted_);
@@ -90,7 +90,7 @@ class CellGrid {
     const Index one = sorted[static_cast<std::size_t>(begin[static_cast<std::size_t>(crowd.cell)])];
     throw StoppedByGuard(std::to_string(crowd.maximum) + " particles, particle " +
                          std::to_string(id[static_cast<std::size_t>(one)]) +
-                         " among them, crowd in one cell of the neighbour search; at most some tens find room in it");
+                         " among them, crowd in one cell of the neighbour search; at most some hundreds find room in it");
   }
 
   Grid grid_{};

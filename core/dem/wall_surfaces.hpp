@@ -31,7 +31,7 @@ class WallSurfaces {
   using Buffer = typename Exec::template Buffer<T>;
 
   WallSurface stored(const PlaneShape& plane) {
-    // The motion of a rotating plane has no bound: any rotation makes the lists stale.
+    // The motion of a rotating plane has no bound: it is listed for all particles.
     return {WallKind::plane, plane, {}, {}, 1e12};
   }
   WallSurface stored(const ProfileShape& shape) {

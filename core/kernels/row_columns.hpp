@@ -20,7 +20,6 @@ Four<double> whole_row(const Row* rows, Index row) {
   return v;
 }
 
-/// The columns of N rows of four numbers, as packs of T. Rows are loaded whole and transposed in registers: half the
 /// The k-th vector of those that lie side by side from `first` on. One at a time: compilers copy arrays of vectors
 /// number by number.
 template <class Vector>

@@ -102,7 +102,7 @@ const Table<PerformanceReading>& performance_table() {
           {.name = "list_rebuilds",
            .units = "1",
            .value = [](const Row& r) { return r.counts.rebuilds; },
-           .description = "rebuilds of the neighbour lists since the start"},
+           .description = "searches in space for neighbours since the start"},
       }};
   return table;
 }

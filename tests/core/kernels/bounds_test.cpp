@@ -90,7 +90,7 @@ TEST_CASE("Close bounds are by speed and end where the wide ones end", "[kernels
 }
 
 TEST_CASE("Lists hold for the numbers of steps that cost least", "[kernels]") {
-  for (const double g : {0.002, 0.005, 0.02}) {
+  for (const double g : {0.002, 0.005, 0.01}) {
     CAPTURE(g);
     const ListSteps steps = steps_of_lists(g);
     const auto cost_close = [g](double t) { return std::pow(1 + g * t, 3) * (1 + 12 / t); };
