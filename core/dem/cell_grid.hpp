@@ -78,7 +78,8 @@ class CellGrid {
   }
 
   /// A search costs about 27 times the sum of the squares of the cells' particles. Rock fills a cell with some
-  /// tens of its size, with hundreds if it is fast; thousands on average only when particles lie in each other or their bounds are absurd.
+  /// tens of its size, with hundreds if it is fast; thousands on average only when particles lie in each other or their
+  /// bounds are absurd.
   template <class Real>
   void expect_no_crowd(Exec& exec, const ParticleStore<Exec, Real>& rock) const {
     constexpr double max_in_cell = 4000, little_work = 1e4;
@@ -88,9 +89,9 @@ class CellGrid {
     const auto begin = Exec::host(begin_);
     const auto id = Exec::host(rock.particles().id);
     const Index one = sorted[static_cast<std::size_t>(begin[static_cast<std::size_t>(crowd.cell)])];
-    throw StoppedByGuard(std::to_string(crowd.maximum) + " particles, particle " +
-                         std::to_string(id[static_cast<std::size_t>(one)]) +
-                         " among them, crowd in one cell of the neighbour search; at most some hundreds find room in it");
+    throw StoppedByGuard(
+        std::to_string(crowd.maximum) + " particles, particle " + std::to_string(id[static_cast<std::size_t>(one)]) +
+        " among them, crowd in one cell of the neighbour search; at most some hundreds find room in it");
   }
 
   Grid grid_{};

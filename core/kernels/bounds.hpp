@@ -129,8 +129,8 @@ struct FlockOf {
 struct ListSteps {
   double wide, close;
 };
-/// The number of steps T that costs least, if a list of T steps costs (1 + g T)^3 (look + make/T) a step: the zero of its
-/// derivative, 3 look g T^2 + 2 make g T - make.
+/// The number of steps T that costs least, if a list of T steps costs (1 + g T)^3 (look + make/T) a step: the zero of
+/// its derivative, 3 look g T^2 + 2 make g T - make.
 GYRO_HD inline double cheapest_steps(double g, double look, double make) {
   return (::sqrt(make * make * g * g + 3 * look * make * g) - make * g) / (3 * look * g);
 }

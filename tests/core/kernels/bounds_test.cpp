@@ -95,13 +95,13 @@ TEST_CASE("Lists hold for the numbers of steps that cost least", "[kernels]") {
     const ListSteps steps = steps_of_lists(g);
     const auto cost_close = [g](double t) { return std::pow(1 + g * t, 3) * (1 + 12 / t); };
     const auto cost_wide = [g, &steps](double t) { return std::pow(1 + g * t, 3) * (1 / steps.close + 10 / t); };
-    double least_close = 1e300, least_wide = 1e300;
+    double min_close = 1e300, min_wide = 1e300;
     for (double t = 1; t < 2000; t *= 1.01) {
-      least_close = std::min(least_close, cost_close(t));
-      least_wide = std::min(least_wide, cost_wide(t));
+      min_close = std::min(min_close, cost_close(t));
+      min_wide = std::min(min_wide, cost_wide(t));
     }
-    CHECK(cost_close(steps.close) < 1.001 * least_close);
-    CHECK(cost_wide(steps.wide) < 1.001 * least_wide);
+    CHECK(cost_close(steps.close) < 1.001 * min_close);
+    CHECK(cost_wide(steps.wide) < 1.001 * min_wide);
   }
   CHECK(steps_of_lists(0).close == 60);
   CHECK(steps_of_lists(0).wide == 400);
