@@ -23,14 +23,14 @@ class CandidateList {
     cells_.build(exec, rock, bounds);
     for (;;) {
       const auto rows = static_cast<std::size_t>(rock.count());
-      count_.resize(rows);
-      partner_.resize(rows * static_cast<std::size_t>(room_));
+      Exec::renew(count_, rows);
+      Exec::renew(partner_, rows * static_cast<std::size_t>(room_));
       const FindCandidates kernel{rock.read(), cells_.grid(), rock.bond_index(), bounds, table()};
       exec.for_each("find candidates", rock.count(), kernel);
       const CandidateCount found =
           exec.template reduce<CandidateCount>("count candidates", rock.count(), CandidateCountOf{count_.data()});
       expect_few(found.total);
-      if (found.longest <= room_) return;
+      if (found.longest <= room_) return cells_.release();
       room_ = found.longest + found.longest / 4;
     }
   }
@@ -44,7 +44,7 @@ class CandidateList {
   }
 
   CellGrid<Exec> cells_;
-  Index room_ = 16;
+  Index room_ = 4;  ///< as of bonded rock that has not met any other; it grows
   typename Exec::template Buffer<Index> count_, partner_;
 };
 
