@@ -120,6 +120,8 @@ class Cuda {
  public:
   template <class T>
   using Buffer = DeviceBuffer<T>;
+  template <class T>
+  using Scratch = DeviceBuffer<T>;
 
   /// Host seconds by phase: of launching, unless GYRO_CUDA_SYNC=1 is set in the environment, which
   /// waits for every kernel.
@@ -227,6 +229,12 @@ class Cuda {
   template <class T>
   static void append(Buffer<T>& buffer, const std::vector<T>& values) {
     buffer.from_host(buffer.size(), values);
+  }
+  template <class T>
+  static void release(Buffer<T>&) {}  // asking for it again would cost more than a rebuild of the lists
+  template <class T>
+  static void renew(Buffer<T>& buffer, std::size_t size) {
+    buffer.resize(size);
   }
   template <class T>
   static void keep(Buffer<T>& buffer, const std::vector<Index>& source) {

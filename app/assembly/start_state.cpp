@@ -23,6 +23,7 @@ NewParticle particle_of(const StartParticle& row, double density) {
 /// Every row as a rock of one loose particle.
 std::vector<NewRock> loose(const CaseParticles& table, double density) {
   std::vector<NewRock> rocks;
+  rocks.reserve(table.particles.size());
   for (const StartParticle& row : table.particles) {
     NewRock one;
     one.id = none;
@@ -44,6 +45,7 @@ Grouped grouped(const CaseParticles& table, double density) {
   for (const auto& [id, rows] : rows_by_rock(table)) {
     NewRock rock;
     rock.id = id;
+    rock.particles.reserve(rows.size());
     for (const Index row : rows) {
       const auto k = static_cast<std::size_t>(row);
       g.number[k] = static_cast<Index>(rock.particles.size());
@@ -80,6 +82,7 @@ std::vector<NewRock> start_state(const Case& input) {
   for (std::size_t r = 0; r < g.rocks.size(); ++r) {
     NewRock& rock = g.rocks[r];
     rock.colour_begin = colour_bonds(bonds[r], static_cast<Index>(rock.particles.size()));
+    rock.bonds.reserve(bonds[r].size());
     for (const TemplateBond& b : bonds[r]) {
       const ParticleId i = rock.particles[static_cast<std::size_t>(b.i)].id,
                        j = rock.particles[static_cast<std::size_t>(b.j)].id;

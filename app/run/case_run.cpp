@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -35,10 +36,13 @@ CaseRun::CaseRun(const Case& input, const RunOptions& options, const SavedState*
   replace_file(directory_.path / "case.yaml", input.resolved);
 }
 
-std::unique_ptr<Simulation> CaseRun::simulation_of(const SavedState* saved) const {
+std::unique_ptr<Simulation> CaseRun::simulation_of(const SavedState* saved) {
   auto dem = make_dem(options_.device, assembly_.setup.scene, input_.numerics.precision);
   try {
-    return make_simulation(input_, assembly_.setup, std::move(dem), saved);
+    std::vector<NewRock> start = std::exchange(assembly_.setup.start, {});  // once is enough: it is the largest part
+    Setup setup = assembly_.setup;
+    setup.start = std::move(start);
+    return make_simulation(input_, std::move(setup), std::move(dem), saved);
   } catch (const BadKey&) {
     throw;
   } catch (const BadInput& problem) {

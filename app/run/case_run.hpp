@@ -41,7 +41,7 @@ class CaseRun {
   const std::filesystem::path& directory() const { return directory_.path; }
 
  private:
-  std::unique_ptr<Simulation> simulation_of(const SavedState* saved) const;
+  std::unique_ptr<Simulation> simulation_of(const SavedState* saved);
   CaseRecord record() const;
   void guarded_loop(Summary& summary);
   void loop(Summary& summary);

@@ -9,6 +9,10 @@
 #include <cmath>
 #include <numbers>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace gyro {
 namespace {
 
@@ -26,6 +30,13 @@ std::vector<std::string> wall_names(const Scene& scene) {
 LedgerLimits ledger_limits(const Setup& setup) {
   const Scene& scene = setup.scene;
   return {.step = scene.limits, .energy_fraction = setup.max_energy_residual, .contact_step = scene.dt};
+}
+
+/// Gives the memory that the set-up has freed back to the system. In many small pieces, the C library would keep it.
+void return_free_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 /// Does `work`; bad input that it meets is the fault of this part of the setup.
@@ -64,6 +75,7 @@ Simulation::Simulation(Setup setup, std::unique_ptr<Dem> dem, std::optional<Driv
     restore(*saved);
   else
     start();
+  return_free_memory();
 }
 
 /// Inserts the rock of t = 0.
@@ -71,6 +83,7 @@ void Simulation::start() {
   blaming_part(SetupPart::start, [&] {
     check_start(setup_.scene, setup_.start);
     insert(setup_.start);
+    setup_.start = {};  // they are in the scene now
   });
   for (const double mass : dem_->particles().mass) state_.start_mass += mass;
   if (feed_) blaming_part(SetupPart::feed, [&] { insert(feed_->initial(dem_->wall_poses(), dem_->particles())); });
@@ -296,6 +309,7 @@ void Simulation::restore(const SavedState& s) {
     const double interval = state_.inspection_interval = now.inspection_interval;
     state_.inspections = interval > 0 ? static_cast<std::int64_t>(std::floor(time() / interval * (1 + 1e-9))) : 0;
   }
+  setup_.start = {};  // what is left of them is in the saved state
   dem_->restore(s);
   if (drivetrain_)
     drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain"), s.get<std::uint8_t>("drivetrain/drive"));

@@ -66,7 +66,7 @@ class Simulation {
   /// particles that touch through a mesh wall are a verdict. Does nothing where any position is not finite.
   void inspect();
 
-  const Setup& setup() const { return setup_; }
+  const Setup& setup() const { return setup_; }  ///< without `start`, which is in the scene
   double time() const { return static_cast<double>(state_.step) * setup_.scene.dt; }  ///< [s]
   const Dem& dem() const { return *dem_; }
   const Ledger& ledger() const { return ledger_; }

@@ -11,8 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace gyro {
 namespace {
@@ -66,10 +67,12 @@ struct Placed {
   Index number;  ///< in its rock
 };
 
-/// Pairs of a rock that bonds join, as (smaller number, larger number).
-std::set<std::pair<Index, Index>> bonded_pairs(const NewRock& rock) {
-  std::set<std::pair<Index, Index>> pairs;
-  for (const NewBond& b : rock.bonds) pairs.insert({std::min(b.i, b.j), std::max(b.i, b.j)});
+/// Pairs of a rock that bonds join, as (smaller number, larger number), sorted.
+std::vector<std::pair<Index, Index>> bonded_pairs(const NewRock& rock) {
+  std::vector<std::pair<Index, Index>> pairs;
+  pairs.reserve(rock.bonds.size());
+  for (const NewBond& b : rock.bonds) pairs.emplace_back(std::min(b.i, b.j), std::max(b.i, b.j));
+  std::ranges::sort(pairs);
   return pairs;
 }
 
@@ -85,7 +88,7 @@ void check_pairs(const Scene& scene, std::span<const NewRock> rocks) {
       const auto number = static_cast<Index>(k);
       for (const Index other : bed.overlapped(p.position, p.radius)) {
         const Placed& q = placed[static_cast<std::size_t>(other)];
-        if (q.rock == r && bonded.contains({q.number, number})) continue;
+        if (q.rock == r && std::ranges::binary_search(bonded, std::pair(q.number, number))) continue;
         const double a = p.radius, b = q.particle->radius, m = mass_of(p), n = mass_of(*q.particle);
         const Contact contact{model, constants, a * b / (a + b), m * n / (m + n),
                               a + b - norm(p.position - q.particle->position)};

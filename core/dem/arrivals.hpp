@@ -9,6 +9,7 @@
 #include "core/state/particles.hpp"
 
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,22 @@ class Arrivals {
   Arrivals(const Present& present, const Scene& scene, double exchanged)
       : present_(present), gravity_(scene.gravity), dt_(scene.dt), substeps_(scene.substeps), exchanged_(exchanged) {}
 
+  /// Takes the memory of these rocks at once, so that columns take what they need and no more.
+  void reserve(std::span<const NewRock> rocks) {
+    std::size_t particles = 0, bonds = 0;
+    for (const NewRock& rock : rocks) {
+      particles += rock.particles.size();
+      bonds += (rock.bonds.size() + bond_alignment - 1) / bond_alignment * bond_alignment;
+    }
+    const auto reserve_rows = [](std::size_t rows) {
+      return [rows](const char*, auto& column) { column.reserve(rows); };
+    };
+    Particles<HostColumn>::for_each_common_column(reserve_rows(particles), particles_);
+    if (!present_.with_bonds) return;
+    Particles<HostColumn>::for_each_bonded_column(reserve_rows(particles), particles_);
+    Bonds<HostColumn, Real>::for_each_column(reserve_rows(bonds), bonds_);
+  }
+
   /// @throws BadInput for bonds that are not grouped by colour, or whose first particle has the higher id
   void add(const NewRock& rock) {
     const Index first = present_.particles + size_of(particles_.position);
@@ -70,8 +87,9 @@ class Arrivals {
     blocks_.push_back(b);
   }
 
-  const Particles<HostColumn>& particles() const { return particles_; }
-  const Bonds<HostColumn, Real>& bonds() const { return bonds_; }
+  /// Their rows, which the scene may take away.
+  Particles<HostColumn>& particles() { return particles_; }
+  Bonds<HostColumn, Real>& bonds() { return bonds_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   const std::vector<Index>& colour_begin() const { return colour_begin_; }
   std::int64_t bonds_intact() const { return bonds_intact_; }

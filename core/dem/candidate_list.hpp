@@ -24,13 +24,14 @@ class CandidateList {
     const Index particles = rock.count();
     const CandidateCount found = fill_rows(exec, rock, bounds);
     expect_few(found.total);
-    long_partner_.resize(static_cast<std::size_t>(found.in_long));
+    Exec::renew(long_partner_, static_cast<std::size_t>(found.in_long));
     if (found.in_long > 0) {
       long_begin_.resize(static_cast<std::size_t>(particles) + 1);
       exec.for_each("find candidates", particles, LongLength{table()});
       exec.exclusive_scan(particles, long_begin_.data());
       exec.for_each("find candidates", particles, search(rock, bounds, true));
     }
+    cells_.release();
   }
 
  private:
@@ -45,8 +46,8 @@ class CandidateList {
     const Index particles = rock.count();
     const auto fill = [&](Index room) {
       room_ = room;
-      count_.resize(static_cast<std::size_t>(particles));
-      partner_.resize(static_cast<std::size_t>(particles) * static_cast<std::size_t>(room_));
+      Exec::renew(count_, static_cast<std::size_t>(particles));
+      Exec::renew(partner_, static_cast<std::size_t>(particles) * static_cast<std::size_t>(room_));
       exec.for_each("find candidates", particles, search(rock, bounds, false));
       return exec.template reduce<CandidateCount>("count candidates", particles, CandidateCountOf{table()});
     };
@@ -64,7 +65,7 @@ class CandidateList {
   }
 
   CellGrid<Exec> cells_;
-  Index room_ = 12;
+  Index room_ = 4;  ///< as of bonded rock that has not met any other; it grows
   typename Exec::template Buffer<Index> count_, partner_, long_begin_, long_partner_;
 };
 

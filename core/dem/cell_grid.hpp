@@ -26,6 +26,14 @@ class CellGrid {
 
   const Grid& grid() const { return grid_; }
 
+  /// It is not needed until it is built again.
+  void release() {
+    Exec::release(sorted_);
+    Exec::release(begin_);
+    Exec::release(sphere_);
+    grid_ = {};
+  }
+
  private:
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
@@ -64,15 +72,16 @@ class CellGrid {
   }
 
   void sort_into_cells(Exec& exec, const Sphere* bounds, Index count) {
-    keys_.resize(static_cast<std::size_t>(count));
-    sorted_.resize(static_cast<std::size_t>(count));
-    begin_.resize(static_cast<std::size_t>(grid_.cells) + 1);
+    Exec::renew(keys_, static_cast<std::size_t>(count));
+    Exec::renew(sorted_, static_cast<std::size_t>(count));
+    Exec::renew(begin_, static_cast<std::size_t>(grid_.cells) + 1);
     exec.for_each("cell keys", count, CellKeys{bounds, grid_, keys_.data(), sorted_.data()});
     exec.sort_by_key(keys_, sorted_);
     exec.for_each("cell begins", count + 1, CellBegins{keys_.data(), count, grid_.cells, begin_.data()});
     grid_.cell_begin = begin_.data();
     grid_.sorted = sorted_.data();
-    sphere_.resize(static_cast<std::size_t>(count));
+    Exec::release(keys_);
+    Exec::renew(sphere_, static_cast<std::size_t>(count));
     grid_.sphere = sphere_.data();
     exec.for_each("sort bounds", count, SortBounds{bounds, grid_});
   }

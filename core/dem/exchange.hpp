@@ -11,6 +11,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::insert(std::span<const NewRock> rocks) {
   EnergyTerms& energies = monitor_.energies();
   Arrivals<Real> arrivals(rock_.present(), scene_, energies.exchanged);
+  arrivals.reserve(rocks);
   for (const NewRock& rock : rocks) arrivals.add(rock);
   rock_.append(arrivals);
   lists_.extend(rock_.count());

@@ -157,8 +157,8 @@ class Monitor {
     return failed;
   }
 
-  typename Exec::template Buffer<StepFlags> flags_;    ///< one
-  typename Exec::template Buffer<BreakEvent> events_;  ///< of this window, StepFlags::failures of them
+  typename Exec::template Buffer<StepFlags> flags_;     ///< one
+  typename Exec::template Scratch<BreakEvent> events_;  ///< of this window, StepFlags::failures of them
   std::optional<Extremes> first_excess_;
   std::vector<Breakage> breakages_;  ///< since they were last taken
   EnergyTerms energies_;

@@ -36,10 +36,10 @@ class PairList {
     now_.load.swap(old_.load);
     now_.loaded.swap(old_.loaded);
     now_.dashpot.swap(old_.dashpot);
-    now_.pair.resize(total);
-    now_.history.resize(total);
-    if (with_extra_) now_.extra.resize(total);
-    now_.touching.resize(total);
+    Exec::renew(now_.pair, total);
+    Exec::renew(now_.history, total);
+    if (with_extra_) Exec::renew(now_.extra, total);
+    Exec::renew(now_.touching, total);
     find.rows.entries = now_.pair.data();
     if (total > 0) exec.for_each("find pairs", particles, find);
     list_ends(exec, rock);
@@ -96,7 +96,8 @@ class PairList {
   /// The two ends of each pair, in the rows of its particles.
   void list_ends(Exec& exec, const Store& rock) {
     const Index n = rock.count(), pairs = count();
-    now_.ends.resize(2 * static_cast<std::size_t>(pairs));
+    const auto ends = 2 * static_cast<std::size_t>(pairs);
+    Exec::renew(now_.ends, ends);
     const auto rows = static_cast<std::size_t>(n) + 1;
     const auto clear = [rows](auto& counts) {  // what a buffer gains is zero
       counts.resize(0);
@@ -109,11 +110,11 @@ class PairList {
     exec.for_each("enter ends", pairs,
                   EnterEnds{now_.pair.data(), entered_.data(), now_.row_begin.data(), now_.ends.data()});
     exec.for_each("sort rows", n, SortRow{rock.read(), now_.pair.data(), now_.row_begin.data(), now_.ends.data()});
-    now_.at.resize(static_cast<std::size_t>(pairs));
+    Exec::renew(now_.at, static_cast<std::size_t>(pairs));
     exec.for_each("locate ends", 2 * pairs, LocateEnds{now_.ends.data(), now_.at.data()});
-    now_.load.resize(2 * static_cast<std::size_t>(pairs));
-    now_.loaded.resize(2 * static_cast<std::size_t>(pairs));
-    now_.dashpot.resize(2 * static_cast<std::size_t>(pairs));
+    Exec::renew(now_.load, ends);
+    Exec::renew(now_.loaded, ends);
+    Exec::renew(now_.dashpot, ends);
   }
 
   void keep_ends(const Remaining& remaining, const std::vector<Index>& new_pair) {

@@ -66,8 +66,11 @@ class ParticleStore {
     return {count(), bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
             with_bonds_};
   }
-  void append(const Arrivals<Real>& arrivals) {
-    const auto append_rows = [](const char*, auto& column, const auto& more) { Exec::append(column, more); };
+  /// Takes the rows out of `arrivals`, column by column: at most one of them is there twice.
+  void append(Arrivals<Real>& arrivals) {
+    const auto append_rows = [](const char*, auto& column, auto& more) {
+      Exec::append(column, std::exchange(more, {}));
+    };
     ParticleView::for_each_column(append_rows, particles_, arrivals.particles());
     BondView<Real>::for_each_column(append_rows, bonds_, arrivals.bonds());
     Exec::append(blocks_, arrivals.blocks());

@@ -38,6 +38,10 @@ IntactBonds intact_bonds(const ParticleStore<Exec, Real>& rock) {
   std::vector<Index> snapshot_row(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) snapshot_row[static_cast<std::size_t>(rows[k])] = static_cast<Index>(k);
   IntactBonds intact;
+  const auto count = static_cast<std::size_t>(std::ranges::count(state, bond_intact));
+  intact.bond.reserve(count);
+  intact.i.reserve(count);
+  intact.j.reserve(count);
   for (std::size_t b = 0; b < i.size(); ++b) {
     if (state[b] != bond_intact) continue;
     intact.bond.push_back(b);
@@ -45,6 +49,12 @@ IntactBonds intact_bonds(const ParticleStore<Exec, Real>& rock) {
     intact.j.push_back(snapshot_row[static_cast<std::size_t>(j[b])]);
   }
   return intact;
+}
+
+template <class Exec, class Real>
+std::vector<Index> labels_of_fragments(const Exec& exec, const ParticleStore<Exec, Real>& rock) {
+  const IntactBonds intact = intact_bonds(rock);
+  return fragment_labels(rock.count(), intact.i, intact.j, exec.host_team());
 }
 
 /// @param gravity  [m/s2]
@@ -58,6 +68,8 @@ ParticleSnapshot particle_snapshot(const Exec& exec, const ParticleStore<Exec, R
   const auto& block = Exec::host(rock.particles().block);
   const auto& blocks = Exec::host(rock.blocks());
   ParticleSnapshot s;
+  s.fragment = labels_of_fragments(exec, rock);
+  s.reserve(id.size());
   for (const Index row : rows_by_id(id)) {
     const auto k = static_cast<std::size_t>(row);
     s.id.push_back(id[k]);
@@ -69,8 +81,6 @@ ParticleSnapshot particle_snapshot(const Exec& exec, const ParticleStore<Exec, R
     s.radius.push_back(position[k].radius);
     s.mass.push_back(motion[k].mass);
   }
-  const IntactBonds intact = intact_bonds(rock);
-  s.fragment = fragment_labels(rock.count(), intact.i, intact.j, exec.host_team());
   return s;
 }
 

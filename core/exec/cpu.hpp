@@ -34,6 +34,8 @@ namespace gyro {
 ///   exclusive_scan(n, counts)              in place, n + 1 numbers; returns the total
 ///   sort_by_key(keys, values)              stable
 ///   host, upload, append, keep             the host's side of a buffer
+///   release(buffer)                        its memory, where that costs little; it is renewed before it is used again
+///   renew(buffer, n)                       gives it a size, whatever its contents are then: never two copies of them
 ///   host_team()                            threads for work on the host; null without any
 ///   traffic()                              what has passed between host and device; empty without a device
 ///   runs_ahead                             whether it takes steps while the host does not look: only then is there
@@ -56,6 +58,24 @@ class Cpu {
  public:
   template <class T>
   using Buffer = std::vector<T>;
+
+  /// Room for elements that kernels write before they are read: memory that none is written to is never taken. A new
+  /// size loses what it holds.
+  template <class T>
+  class Scratch {
+   public:
+    std::size_t size() const { return size_; }
+    T* data() { return elements_.get(); }
+    const T* data() const { return elements_.get(); }
+    void resize(std::size_t size) {
+      if (size > size_) elements_.reset(), elements_ = std::make_unique_for_overwrite<T[]>(size);
+      size_ = size;
+    }
+
+   private:
+    std::unique_ptr<T[]> elements_;
+    std::size_t size_ = 0;
+  };
 
   /// @param threads  at least 1
   explicit Cpu(int threads) : threads_(std::max(1, threads)), team_(std::make_unique<ThreadTeam>(threads_)) {}
@@ -180,8 +200,8 @@ class Cpu {
   void sort_by_key(Buffer<std::uint64_t>& keys, Buffer<Index>& values) {
     const std::size_t n = keys.size();
     GYRO_EXPECT(values.size() == n);
-    spare_keys_.resize(n);
-    spare_values_.resize(n);
+    Buffer<std::uint64_t> spare_keys(n);
+    Buffer<Index> spare_values(n);
     for (int shift = 0; shift < 64; shift += 8) {
       std::size_t count[257] = {};
       for (const std::uint64_t key : keys) ++count[((key >> shift) & 255) + 1];
@@ -189,11 +209,11 @@ class Cpu {
       std::partial_sum(count, count + 257, count);
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t to = count[(keys[i] >> shift) & 255]++;
-        spare_keys_[to] = keys[i];
-        spare_values_[to] = values[i];
+        spare_keys[to] = keys[i];
+        spare_values[to] = values[i];
       }
-      keys.swap(spare_keys_);
-      values.swap(spare_values_);
+      keys.swap(spare_keys);
+      values.swap(spare_values);
     }
   }
 
@@ -203,12 +223,22 @@ class Cpu {
     return buffer;
   }
   template <class T>
+  static std::span<const T> host(const Scratch<T>& scratch) {
+    return {scratch.data(), scratch.size()};
+  }
+  template <class T>
   static void upload(Buffer<T>& buffer, std::vector<T> values) {
     buffer = std::move(values);
   }
-  /// Adds elements at the end.
+  /// Adds elements at the end. A buffer that must grow gets an eighth more than it needs, where a vector would double.
   template <class T>
-  static void append(Buffer<T>& buffer, const std::vector<T>& values) {
+  static void append(Buffer<T>& buffer, std::vector<T> values) {
+    const std::size_t size = buffer.size() + values.size();
+    if (buffer.empty()) {
+      buffer = std::move(values);
+      return;
+    }
+    if (size > buffer.capacity()) buffer.reserve(size + size / 8);
     buffer.insert(buffer.end(), values.begin(), values.end());
   }
   /// Shortens a buffer: element k becomes what was element source[k], zero where that is `none`.
@@ -222,6 +252,17 @@ class Cpu {
       buffer[k] = source[k] == none ? T{} : buffer[static_cast<std::size_t>(source[k])];
     }
     buffer.resize(source.size());
+  }
+
+  template <class T>
+  static void renew(Buffer<T>& buffer, std::size_t size) {
+    if (size > buffer.capacity()) Buffer<T>().swap(buffer), buffer.reserve(size + size / 8);
+    buffer.resize(size);
+  }
+
+  template <class T>
+  static void release(Buffer<T>& buffer) {
+    Buffer<T>().swap(buffer);
   }
 
  private:
@@ -308,8 +349,6 @@ class Cpu {
   int threads_;
   std::unique_ptr<ThreadTeam> team_;
   PhaseTimer timer_;
-  Buffer<std::uint64_t> spare_keys_;
-  Buffer<Index> spare_values_;
 };
 
 }  // namespace gyro

@@ -131,6 +131,8 @@ NewRock Feed::instance(Index kind, const RockPose& pose, Bed& bed) {
   NewRock made;
   made.id = plan_.first_rock + static_cast<RockId>(state_.rocks);
   const auto first = static_cast<ParticleId>(plan_.first_particle + state_.particles);
+  made.particles.reserve(rock.centres.size());
+  made.bonds.reserve(rock.bonds.size());
   for (std::size_t k = 0; k < rock.centres.size(); ++k) {
     const Vec3d centre = pose.position + rotate(pose.orientation, rock.centres[k]);
     const auto id = first + static_cast<ParticleId>(k);

@@ -18,6 +18,14 @@ struct ParticleSnapshot {
   std::vector<Vec3d> force;  ///< sum of contact, wall and bond forces, without gravity [N]
   std::vector<double> radius, mass;
   std::size_t size() const { return id.size(); }
+  /// Takes the memory of `rows` particles, but for `fragment`, which is found for all at once.
+  void reserve(std::size_t rows) {
+    id.reserve(rows);
+    rock.reserve(rows);
+    for (std::vector<Vec3d>* column : {&position, &velocity, &angular_velocity, &force}) column->reserve(rows);
+    radius.reserve(rows);
+    mass.reserve(rows);
+  }
 };
 
 /// The intact bonds of a scene.

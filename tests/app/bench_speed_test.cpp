@@ -180,6 +180,21 @@ TEST_CASE("Start states are kept for the same scene, and made again for another 
   CHECK(read_text(table) == rows);
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they take memory of their own
+TEST_CASE("Bonded rock takes little memory, set-up included") {
+  const ScratchDirectory folder;
+  const SpeedScene scene = scene_named("S2r", 0);
+  SpeedRun run{.file = write_start(scene, GYRO_CASES, folder.path()), .warm_up = 2, .timed = 2};
+  run.precision = Precision::mixed;
+  const SpeedMeasurement m = measurement_of(in_own_process([&] { return to_json(measure_speed(run)); }));
+  CHECK(m.particles == scene.recipe.particles);
+  // About 1100 on the machine of tests/bench, of which 250 are the pages of the program that a run touches.
+  const auto bytes = static_cast<double>(m.bytes) / static_cast<double>(m.particles);
+  CHECK(bytes > 500);
+  CHECK(bytes < 1500);
+}
+#endif
+
 TEST_CASE("Scenes without a start state are measured in windows") {
   SpeedRun run{.file = fs::path(GYRO_CASES) / "box.yaml", .timed = 30};
   const auto steps = [&] { return in_own_process([&] { return to_json(measure_speed(run)); }).at("steps").get<int>(); };

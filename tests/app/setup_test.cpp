@@ -143,6 +143,7 @@ TEST_CASE("Rock that leaves over the rim is counted separately from the product,
   };
   auto run = make(nullptr);
   const double one = run->start_mass() / 4;
+  CHECK(run->setup().start.empty());  // the scene has it: no second copy
   bool restarted = false;
   while (run->time() < 0.8) {
     run->advance();
@@ -152,6 +153,7 @@ TEST_CASE("Rock that leaves over the rim is counted separately from the product,
     if (!restarted && run->escaped_mass() > 0) {
       const SavedState saved = run->save();
       run = make(&saved);
+      CHECK(run->setup().start.empty());
       restarted = true;
     }
   }

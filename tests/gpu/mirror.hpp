@@ -99,6 +99,8 @@ class Mirror {
  public:
   template <class T>
   using Buffer = MirrorBuffer<T>;
+  template <class T>
+  using Scratch = MirrorBuffer<T>;
 
   /// @param max_steps_ahead  at least 1
   explicit Mirror(int max_steps_ahead = 1000) : max_steps_ahead_(max_steps_ahead) {}
@@ -216,6 +218,12 @@ class Mirror {
     buffer.resize(first + values.size());
     const Opened opened;
     std::copy(values.begin(), values.end(), buffer.data() + first);
+  }
+  template <class T>
+  static void release(Buffer<T>&) {}
+  template <class T>
+  static void renew(Buffer<T>& buffer, std::size_t size) {
+    buffer.resize(size);
   }
   template <class T>
   static void keep(Buffer<T>& buffer, const std::vector<Index>& source) {

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <ctime>
 #include <memory>
+#include <utility>
 
 namespace gyro::bench {
 namespace {
@@ -36,19 +37,20 @@ class StopWatch {
 };
 
 Case loaded(const SpeedRun& run, const std::vector<std::string>& overrides) {
-  const CaseReport report = load_case(run.file, overrides);
+  CaseReport report = load_case(run.file, overrides);
   std::string problems;
   for (const CaseProblem& problem : report.problems) problems += (problems.empty() ? "" : "\n") + to_string(problem);
   if (!report.loaded) throw BadInput(problems);
-  return *report.loaded;
+  return std::move(*report.loaded);
 }
 
 std::unique_ptr<Simulation> made(const SpeedRun& run) {
   std::vector<std::string> overrides = run.overrides;
   overrides.push_back("numerics.precision=" + to_string(run.precision));
-  const Case input = loaded(run, overrides);
+  Case input = loaded(run, overrides);
   try {
     Assembly assembly = assemble(input, {.threads = run.threads});
+    input.particles.reset();  // their rows are in the setup now
     auto dem = make_dem(choose_device("cpu", run.threads), assembly.setup.scene, run.precision);
     return make_simulation(input, std::move(assembly.setup), std::move(dem));
   } catch (const BadKey& bad) {

@@ -175,6 +175,40 @@ TEST_CASE("append adds at the end of a buffer, resize adds zeros", "[exec]") {
   CHECK(buffer == std::vector<Index>{1, 0, 0});
 }
 
+TEST_CASE("Buffers take the memory that they need, not twice as much", "[exec]") {
+  std::vector<Index> buffer, rows(1000, 7);
+  const Index* const there = rows.data();
+  Cpu::append(buffer, std::move(rows));
+  CHECK(buffer.data() == there);  // an empty buffer takes the rows as they are
+  Cpu::append(buffer, std::vector<Index>(100, 8));
+  CHECK(buffer.size() == 1100);
+  CHECK(buffer.front() == 7);
+  CHECK(buffer.back() == 8);
+  CHECK(buffer.capacity() <= 1100 + 1100 / 8);
+  Cpu::renew(buffer, 2000);
+  CHECK(buffer.size() == 2000);
+  CHECK(buffer.capacity() <= 2000 + 2000 / 8);
+  const Index* const room = buffer.data();
+  Cpu::renew(buffer, 10);
+  Cpu::renew(buffer, 2100);
+  CHECK(buffer.size() == 2100);
+  CHECK(buffer.data() == room);
+  Cpu::release(buffer);
+  CHECK(buffer.capacity() == 0);
+}
+
+TEST_CASE("A scratch of any size can be written and read", "[exec]") {
+  Cpu::Scratch<Index> scratch;
+  CHECK(scratch.size() == 0);
+  for (const std::size_t size : {5U, 3U, 100U}) {
+    scratch.resize(size);
+    REQUIRE(scratch.size() == size);
+    std::iota(scratch.data(), scratch.data() + size, 0);
+    CHECK(Cpu::host(scratch).size() == size);
+    CHECK(Cpu::host(scratch)[size - 1] == static_cast<Index>(size) - 1);
+  }
+}
+
 TEST_CASE("The timer sums the seconds of each phase, in order of first use", "[exec]") {
   Cpu cpu(2);
   std::vector<std::int32_t> calls(10, 0);
