@@ -100,12 +100,16 @@ class NeighbourLists {
     steps_ = steps_of_lists(dt * (flock.radii_in_time / particles + speed_ / mean_radius_));
   }
 
-  /// A wall that moves far in a step makes the lists stale in each. Particles with sub-steps see walls half a step
-  /// earlier, which is less than any way.
+  /// A wall that moves by more than some radii in a step makes the lists stale in each. Particles with sub-steps see
+  /// walls half a step earlier, which is less than any way.
   void set_wall_ways(const std::vector<double>& wall_steps) {
     wall_ways_.clear();
     for (const double step : wall_steps) {
-      const double wanted = given_way_ > 0 ? given_way_ : smaller((steps_.wide + 1) * step, max_way * mean_radius_);
+      const double expected = (steps_.wide + 1) * step;
+      const bool everywhere = step > 1e3 * mean_radius_;  // a plane that rotates: as far as particles may be
+      const double wanted = given_way_ > 0 ? given_way_
+                            : everywhere   ? expected
+                                           : smaller(expected, max_way * mean_radius_);
       wall_ways_.push_back(larger(wanted, step));
     }
     Exec::upload(device_wall_ways_, wall_ways_);

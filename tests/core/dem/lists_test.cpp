@@ -49,7 +49,10 @@ TEST_CASE("A wall that moves far in a step is listed further away than others", 
   NeighbourLists<Cpu, float> lists(0, false, false);
   ParticleStore<Cpu, float> rock(false);
   lists.rebuild(cpu, rock, {nullptr, nullptr, 0}, 1e-6, {1e10, 0, 1e-3});
-  CHECK(lists.wall_ways() == std::vector<double>{1e10, 0, 1e-3});
+  REQUIRE(lists.wall_ways().size() == 3);
+  CHECK(lists.wall_ways()[0] > 1e11);
+  CHECK(lists.wall_ways()[1] == 0);
+  CHECK(lists.wall_ways()[2] < 1);
 }
 
 TEST_CASE("A rock with sub-steps meets walls in the same step, whatever the skin", "[dem]") {
