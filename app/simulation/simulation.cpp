@@ -309,7 +309,7 @@ void Simulation::restore(const SavedState& s) {
     const double interval = state_.inspection_interval = now.inspection_interval;
     state_.inspections = interval > 0 ? static_cast<std::int64_t>(std::floor(time() / interval * (1 + 1e-9))) : 0;
   }
-  setup_.start = {};  // what is left of them is in the saved state
+  setup_.start = {};  // the saved state has the rock that is still there
   dem_->restore(s);
   if (drivetrain_)
     drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain"), s.get<std::uint8_t>("drivetrain/drive"));

@@ -11,7 +11,8 @@ namespace gyro {
 
 /// A batch of steps at a time is launched. In each, EnterStep looks at what watch() would look at; where that would
 /// act, all further kernels of the batch do nothing, so that the state is the one that watch() sees. The host reads
-/// once a batch how far the device came, acts, and goes on from there. How far the walls may move is known before.
+/// once a batch how far the device came, acts, and goes on from there. In which step a wall will have moved too far is
+/// known before the batch starts, which then ends there.
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::take_steps_ahead(const Window& window) {
   int done = 0;

@@ -10,15 +10,6 @@
 
 namespace gyro {
 
-/// The centre of a particle as contacts see it, as contact_centre().
-/// @param dt    step of the scene [s]
-/// @param step  of the particle [s]
-/// @tparam D    double, or a pack of them
-template <class D>
-GYRO_HD Vec3<D> seen_centre(const Vec3<D>& centre, const Vec3<D>& velocity, const D& dt, const D& step) {
-  return centre + D(0.5) * (dt - step) * velocity;
-}
-
 /// Whether a particle has left its bound, or nearly. Nothing that is not finite has.
 /// @param centre, bound  of the bound: centre and radius [m]
 /// @param seen, radius   of the particle [m]

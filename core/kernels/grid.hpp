@@ -9,7 +9,7 @@ namespace gyro {
 /// One level of the search grid: cells for the spheres whose radius lies between half `bound` and
 /// `bound`; the spheres are the bounds of particles (bounds.hpp). The table of cells is a torus: a cell's place is its
 /// coordinate modulo a power of two, so that one sphere a kilometre away neither makes the table large nor the search
-/// slow. Spheres that share a place without being neighbours are told apart by their distance.
+/// slow. Cells that are far apart may share a place in the table; a search compares the distances of their spheres.
 struct GridLevel {
   double bound;                  ///< largest radius that belongs to the level [m]
   double radius;                 ///< largest radius that is there, 0 if none [m]

@@ -23,7 +23,7 @@ struct PairForces {
   PairView<Real> pairs;
   const std::int32_t* bond_state;  ///< null without bonds
   ContactConstants<Real> constants;
-  double dt;  ///< as in contact_centre() [s]
+  double dt;  ///< step of the scene [s]
   OverlapCheck deep;
 
   /// Whether the pair touches. If it does not, its history is forgotten.
@@ -44,9 +44,9 @@ struct PairForces {
     using D = typename Lanes::template Number<double>;
     const auto i = lanes.index(pairs.pair, &Pair::i), j = lanes.index(pairs.pair, &Pair::j);
     ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
-    if constexpr (held) {  // as centre()
-      a.vector = a.vector + D(0.5) * (D(dt) - lanes.at(p.step, i)) * lanes.row(p.motion, i).vector;
-      b.vector = b.vector + D(0.5) * (D(dt) - lanes.at(p.step, j)) * lanes.row(p.motion, j).vector;
+    if constexpr (held) {
+      a.vector = seen_centre(a.vector, lanes.row(p.motion, i).vector, D(dt), lanes.at(p.step, i));
+      b.vector = seen_centre(b.vector, lanes.row(p.motion, j).vector, D(dt), lanes.at(p.step, j));
     }
     const D sum = a.number + b.number, sum2 = sum * sum, distance2 = norm2(b.vector - a.vector);
     const std::uint32_t overlap = bits_of(distance2 < D(surely) * sum2), near = bits_of(distance2 < sum2);
@@ -67,9 +67,9 @@ struct PairForces {
     const auto i = lanes.index(pairs.pair, &Pair::i), j = lanes.index(pairs.pair, &Pair::j);
     const ParticleRow<D> va = lanes.row(p.motion, i), vb = lanes.row(p.motion, j);
     ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
-    if constexpr (held) {  // as centre()
-      a.vector = a.vector + D(0.5) * (D(dt) - lanes.at(p.step, i)) * va.vector;
-      b.vector = b.vector + D(0.5) * (D(dt) - lanes.at(p.step, j)) * vb.vector;
+    if constexpr (held) {
+      a.vector = seen_centre(a.vector, va.vector, D(dt), lanes.at(p.step, i));
+      b.vector = seen_centre(b.vector, vb.vector, D(dt), lanes.at(p.step, j));
     }
     const ParticleRow<D> wa = lanes.row(p.angular_motion, i), wb = lanes.row(p.angular_motion, j);
 
@@ -96,7 +96,10 @@ struct PairForces {
  private:
   static constexpr double surely = 1 - 1e-15;  ///< of a sum's square: nearer ones touch, whatever a root is rounded to
 
-  GYRO_HD Vec3d centre(Index particle) const { return contact_centre<held>(p, particle, dt); }
+  GYRO_HD Vec3d centre(Index n) const {
+    if constexpr (held) return seen_centre(p.position[n].x, p.motion[n].v, dt, p.step[n]);
+    return p.position[n].x;
+  }
   GYRO_HD bool is_bonded(const Pair& pair) const { return pair.bond != none && bond_state[pair.bond] != bond_broken; }
   template <class Lanes>
   std::uint32_t with_bonds(const Lanes& lanes) const {

@@ -10,8 +10,8 @@
 namespace gyro {
 
 /// A ContactSum in two registers, for two additions a contact.
-/// @tparam few_touch  Few of the listed contacts do. If not, there is no branch: which of them touch has no pattern
-///                    that a processor could foresee. If so, loads are not read in vain.
+/// @tparam few_touch  true: a branch for each listed contact, so that only loads of touching ones are read. false: no
+///                    branch, because a processor cannot predict which contacts touch when many of them do.
 template <bool few_touch>
 class ContactSumRow {
  public:

@@ -101,7 +101,7 @@ struct WallForces {
     at.wall = lanes.velocity(walls.poses, wall);
     at.damping_rate = lanes.at(p.damping_rate, particle);
     if constexpr (held) {
-      const D ahead = D(0.5) * (D(dt) - lanes.at(p.step, particle));  // as time_to_middle()
+      const D ahead = time_to_middle(D(dt), lanes.at(p.step, particle));
       at.sphere.vector = at.sphere.vector + ahead * at.motion.vector;
       at.sphere.vector = at.sphere.vector + ahead * at.wall.at(at.sphere.vector);
     }

@@ -136,17 +136,15 @@ static_assert(declares_every_column<ParticleView>());
 /// an elastic impact. Zero for a particle without sub-steps.
 /// @param dt    step of the scene, for which contact forces are held [s]
 /// @param step  of the particle [s]
-GYRO_HD inline double time_to_middle(double dt, double step) {
-  return 0.5 * (dt - step);
+/// @tparam D    double, or a pack of them
+template <class D>
+GYRO_HD D time_to_middle(const D& dt, const D& step) {
+  return D(0.5) * (dt - step);
 }
-
-/// The centre of a sphere as contacts see it.
-/// @tparam held  some particles of the scene have sub-steps
-/// @param dt     step of the scene [s]
-template <bool held>
-GYRO_HD Vec3d contact_centre(const ConstParticleView& p, Index n, double dt) {
-  if constexpr (held) return p.position[n].x + time_to_middle(dt, p.step[n]) * p.motion[n].v;
-  return p.position[n].x;
+/// The centre of a particle as contacts see it.
+template <class D>
+GYRO_HD Vec3<D> seen_centre(const Vec3<D>& centre, const Vec3<D>& velocity, const D& dt, const D& step) {
+  return centre + time_to_middle(dt, step) * velocity;
 }
 
 }  // namespace gyro

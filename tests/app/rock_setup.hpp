@@ -6,7 +6,7 @@
 
 namespace gyro::test {
 
-/// A library of one bonded rock of 60 mm, without a step: nothing is fed, and there are no walls. Material 1 is steel.
+/// A setup with a library of one bonded rock of 60 mm. It has no walls, no feed and no time step. Material 1 is steel.
 inline Setup rock_setup() {
   Setup setup;
   Scene& scene = setup.scene;

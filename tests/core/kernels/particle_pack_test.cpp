@@ -135,7 +135,7 @@ void check_packs(const Doing& doing, const State<Real>& start) {
 }
 
 template <class Real>
-void check(const State<Real>& start) {
+void check_all_motions(const State<Real>& start) {
   for (const Motions motions : {Motions::loads_only, Motions::move, Motions::move_on, Motions::move_held})
     for (const bool with_bonds : {false, true})
       for (const bool with_held : {false, true}) {
@@ -149,8 +149,8 @@ void check(const State<Real>& start) {
 }  // namespace
 
 TEST_CASE("Packs of particles are advanced to the bits of single particles", "[kernels]") {
-  check(State<float>());
-  check(State<double>());
+  check_all_motions(State<float>());
+  check_all_motions(State<double>());
 }
 
 TEST_CASE("Packs of particles raise the flags that one of them raises", "[kernels]") {
@@ -160,7 +160,7 @@ TEST_CASE("Packs of particles raise the flags that one of them raises", "[kernel
     moved.bounds[n].x.y += 0.01;
     fast.p.motion[n].v.x = 1000;
     spinning.p.angular_motion[n].w.z = 20000;
-    for (const State<float>& start : {moved, fast, spinning}) check(start);
+    for (const State<float>& start : {moved, fast, spinning}) check_all_motions(start);
     for (State<float>* s : {&moved, &fast, &spinning}) {
       const auto kernel = s->kernel(Motions::move, true, false);
       kernel.prepare(PackOfParticles<8>{static_cast<Index>(n / 8 * 8)}, 0, 0);
