@@ -9,7 +9,6 @@
 #include "gpu/traffic.hpp"
 
 #include <exception>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -62,25 +61,20 @@ __global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
   if (is_halted(halted)) return;
   const Index k = static_cast<Index>(blockIdx.x), step = static_cast<Index>(blockDim.x),
               me = static_cast<Index>(threadIdx.x);
-  const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
+  const IndexRange colours = kernel.colours(k);
   const int passes = kernel.passes(k);
   for (int pass = 0; pass < passes; ++pass) {
-    for (Index row = rows.begin + me; row < rows.end; row += step) kernel.prepare(row, k, pass);
-    __syncthreads();
+    if constexpr (requires { kernel.rows(k); }) {
+      const IndexRange rows = kernel.rows(k);
+      for (Index row = rows.begin + me; row < rows.end; row += step) kernel.prepare(row, k, pass);
+      __syncthreads();
+    }
     for (Index c = colours.begin; c < colours.end; ++c) {
       const IndexRange items = kernel.items_of_colour(c);
       for (Index item = items.begin + me; item < items.end; item += step) kernel(typename Kernel::Lane{item}, k, pass);
       __syncthreads();
     }
   }
-}
-
-/// The items [first, first + n) of a block whose items fill the device.
-template <class Kernel>
-__global__ void __launch_bounds__(threads_per_block, blocks_at_once<Kernel>())
-    run_items(Index first, Index n, const std::int32_t* halted, const __grid_constant__ Kernel kernel) {
-  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
-  if (i < n && !is_halted(halted)) kernel(typename Kernel::Lane{first + i});
 }
 
 /// Sum of each chunk, in order. The threads of a warp map together, one of them adds.
@@ -176,19 +170,6 @@ class Cuda {
                                                               : threads_per_block;
     run_blocks<<<static_cast<unsigned>(launch.blocks), threads, 0, stream_.get()>>>(halted_, kernel);
     finish(label, mark);
-  }
-
-  template <class Kernel>
-  void for_each_colour(const char* label, std::span<const Index> colour_begin, const Kernel& kernel) {
-    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
-    const PhaseTimer::Mark mark = timer_.begin(label);
-    for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) {
-      const Index first = colour_begin[c], n = colour_begin[c + 1] - first;
-      if (n == 0) continue;
-      run_items<<<blocks_for(n), threads_per_block, 0, stream_.get()>>>(first, n, halted_, kernel);
-      count_launch(label);
-    }
-    wait_if_asked(label, mark);
   }
 
   template <class T, class Map>

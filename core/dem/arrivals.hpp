@@ -3,6 +3,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/expect.hpp"
+#include "core/dem/bond_parts.hpp"
 #include "core/scene/new_rock.hpp"
 #include "core/scene/scene.hpp"
 #include "core/state/bonds.hpp"
@@ -92,6 +93,7 @@ class Arrivals {
   Bonds<HostColumn, Real>& bonds() { return bonds_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   const std::vector<Index>& colour_begin() const { return colour_begin_; }
+  const std::vector<std::int32_t>& colour_starts() const { return colour_starts_; }
   std::int64_t bonds_intact() const { return bonds_intact_; }
   std::int64_t bonds_in_step() const { return bonds_in_step_; }  ///< as Monitor::bonds_in_step()
   double exchanged() const { return exchanged_; }                ///< EnergyTerms::exchanged with the new rock [J]
@@ -128,16 +130,28 @@ class Arrivals {
 
   void add_bonds(const NewRock& rock, Index first_particle, int substeps) {
     check_colours(rock);
-    const Index first_bond = bond_count();
-    for (const NewBond& bond : rock.bonds) add_bond(rock, bond, first_particle);
+    if (!is_large_rock(static_cast<Index>(rock.bonds.size()))) {
+      add_colours(rock.colour_begin);
+      colour_starts_.resize(colour_begin_.size(), starts_colour);
+      for (const NewBond& bond : rock.bonds) add_bond(rock, bond, first_particle);
+    } else {
+      const BondParts parts = bond_parts(rock);
+      add_colours(parts.colour_begin);
+      colour_starts_.insert(colour_starts_.end(), parts.starts.begin(), parts.starts.end());
+      for (const Index n : parts.bond) add_bond(rock, rock.bonds[static_cast<std::size_t>(n)], first_particle);
+    }
     bonds_intact_ += static_cast<std::int64_t>(rock.bonds.size());
     bonds_in_step_ += static_cast<std::int64_t>(rock.bonds.size()) * substeps;
-    for (const Index colour : rock.colour_begin) colour_begin_.push_back(first_bond + colour);
     while (bonds_.i.size() % bond_alignment != 0) {
       Bonds<HostColumn, Real>::for_each_column([](const char*, auto& column) { column.push_back({}); }, bonds_);
       bonds_.i.back() = bonds_.j.back() = first_particle;
       bonds_.state.back() = bond_broken;
     }
+  }
+
+  void add_colours(const std::vector<Index>& begin) {
+    const Index first_bond = bond_count();
+    for (const Index bond : begin) colour_begin_.push_back(first_bond + bond);
   }
 
   void add_bond(const NewRock& rock, const NewBond& bond, Index first_particle) {
@@ -177,6 +191,7 @@ class Arrivals {
   Bonds<HostColumn, Real> bonds_;
   std::vector<Block> blocks_;
   std::vector<Index> colour_begin_;
+  std::vector<std::int32_t> colour_starts_;
 };
 
 }  // namespace gyro

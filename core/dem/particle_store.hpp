@@ -49,17 +49,13 @@ class ParticleStore {
   /// All particles, as AdvanceRocks takes them.
   const Piece* pieces() const { return pieces_.data(); }
   BlockLaunch piece_launch() const {
-    return {static_cast<Index>(pieces_.size()), with_bonds_ ? colour_size() : run_length};
+    return {static_cast<Index>(pieces_.size()), with_bonds_ ? colour_size_ : run_length};
   }
-  /// A rock whose bonds all threads share, with the begins of its colours and its particles in pieces without bonds.
-  struct LargeRock {
-    Index block;
-    std::int32_t substeps;
-    std::vector<Index> colour_begin;
-    Index first_row, rows;  ///< pieces, in large_rows()
-  };
-  const Piece* large_rows() const { return large_rows_.data(); }
+  /// Rocks whose bonds all threads share, their particles as AdvanceRocks takes them, and their parts.
   const std::vector<LargeRock>& large_rocks() const { return large_rocks_; }
+  const Piece* large_rows() const { return large_rows_.data(); }
+  const Part* parts() const { return parts_.data(); }
+  BlockLaunch part_launch(const IndexRange& round) const { return {round.end - round.begin, part_colour_size_}; }
   int max_substeps() const { return max_substeps_; }  ///< of all rocks
 
   typename Arrivals<Real>::Present present() const {
@@ -75,6 +71,7 @@ class ParticleStore {
     BondView<Real>::for_each_column(append_rows, bonds_, arrivals.bonds());
     Exec::append(blocks_, arrivals.blocks());
     Exec::append(colour_begin_, arrivals.colour_begin());
+    colour_starts_.insert(colour_starts_.end(), arrivals.colour_starts().begin(), arrivals.colour_starts().end());
     reindex();
   }
 
@@ -98,6 +95,7 @@ class ParticleStore {
         [&](const std::string& name, const auto& column) { to.put("bonds/" + name, Exec::host(column)); }, bonds_);
     to.put("blocks", Exec::host(blocks_));
     to.put("colours/begin", Exec::host(colour_begin_));
+    to.put("colours/starts", colour_starts_);
   }
 
   /// @throws BadInput as SavedState::get
@@ -114,13 +112,17 @@ class ParticleStore {
     BondView<Real>::for_each_column(restore_columns("bonds/", bonds), bonds_);
     Exec::upload(blocks_, from.get<Block>("blocks"));
     Exec::upload(colour_begin_, from.get<Index>("colours/begin"));
+    colour_starts_ = from.get<std::int32_t>("colours/starts", colour_begin_.size());
     reindex();
   }
 
  private:
   void keep_bonds(const Remaining& remaining) {
-    KeptBonds kept({Exec::host(bonds_.i), Exec::host(bonds_.j), Exec::host(bonds_.state), Exec::host(blocks_),
-                    Exec::host(colour_begin_)},
+    KeptBonds kept({Exec::host(bonds_.i),
+                    Exec::host(bonds_.j),
+                    Exec::host(bonds_.state),
+                    Exec::host(blocks_),
+                    {Exec::host(colour_begin_), colour_starts_}},
                    remaining);
     std::vector<Index> block = Exec::host(particles_.block);
     for (Index& b : block)
@@ -132,6 +134,7 @@ class ParticleStore {
     Exec::upload(particles_.block, std::move(block));
     Exec::upload(blocks_, std::move(kept.blocks));
     Exec::upload(colour_begin_, std::move(kept.colour_begin));
+    colour_starts_ = std::move(kept.colour_starts);
   }
 
   void reindex() {
@@ -141,27 +144,26 @@ class ParticleStore {
 
   void index_pieces() {
     const auto& blocks = Exec::host(blocks_);
-    Pieces pieces = make_pieces(with_bonds_ ? blocks : std::vector<Block>{}, count());
-    large_rocks_.clear();
-    Index first_row = 0;
-    const auto& colours = Exec::host(colour_begin_);
-    for (const Index block : pieces.large) {
-      const Block& b = blocks[static_cast<std::size_t>(block)];
-      const Index rows = (b.end_particle - b.first_particle + run_length - 1) / run_length;
-      large_rocks_.push_back(
-          {block, b.substeps, {colours.begin() + b.first_colour, colours.begin() + b.end_colour}, first_row, rows});
-      first_row += rows;
-    }
+    Pieces pieces =
+        make_pieces(with_bonds_ ? blocks : std::vector<Block>{}, {Exec::host(colour_begin_), colour_starts_}, count());
+    measure_colours(pieces);
+    large_rocks_ = std::move(pieces.large);
     max_substeps_ = pieces.max_substeps;
     Exec::upload(pieces_, std::move(pieces.together));
     Exec::upload(large_rows_, std::move(pieces.large_rows));
+    Exec::upload(parts_, std::move(pieces.parts));
   }
 
-  /// Bonds in a colour, on average.
-  Index colour_size() const {
-    const std::size_t blocks = blocks_.size(), begins = colour_begin_.size();  // a block has one more than colours
-    const std::size_t colours = begins > blocks ? begins - blocks : 1;
-    return static_cast<Index>(bonds_.i.size() / colours);
+  /// Bonds in a colour, on average: of the parts of large rocks, and of all other rocks.
+  void measure_colours(const Pieces& pieces) {
+    Index bonds = 0, colours = 0;
+    for (const Part& part : pieces.parts) {
+      bonds += part.end_bond - part.first_bond;
+      colours += part.end_colour - part.first_colour;
+    }
+    part_colour_size_ = bonds / std::max(colours, Index{1});
+    const auto others = static_cast<Index>(colour_begin_.size()) - static_cast<Index>(blocks_.size()) - colours;
+    colour_size_ = (bond_count() - bonds) / std::max(others, Index{1});
   }
 
   /// Lists the bonds of each particle.
@@ -197,10 +199,13 @@ class ParticleStore {
   Particles<Buffer> particles_;
   Bonds<Buffer, Real> bonds_;
   Buffer<Block> blocks_;
-  Buffer<Index> colour_begin_;  ///< first bond of each colour; a block has one entry more than colours
+  Buffer<Index> colour_begin_;                              ///< Colours::begin
+  std::vector<std::int32_t> colour_starts_;                 ///< Colours::starts
   Buffer<Index> bond_row_begin_, bond_row_, bond_partner_;  ///< BondIndex
   Buffer<Piece> pieces_, large_rows_;                       ///< Pieces
+  Buffer<Part> parts_;                                      ///< Pieces
   std::vector<LargeRock> large_rocks_;
+  Index colour_size_ = 0, part_colour_size_ = 0;  ///< as BlockLaunch
   int max_substeps_ = 1;
 };
 

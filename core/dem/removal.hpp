@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/expect.hpp"
-#include "core/state/bonds.hpp"
+#include "core/state/pieces.hpp"
 
 #include <algorithm>
 #include <span>
@@ -42,7 +42,7 @@ struct OldBonds {
   const std::vector<Index>&i, &j;
   const std::vector<std::int32_t>& state;
   const std::vector<Block>& blocks;
-  const std::vector<Index>& colour_begin;
+  Colours colours;
 };
 
 /// Bonds of the particles that stay, block by block in their order, without broken ones.
@@ -68,6 +68,7 @@ class KeptBonds {
   std::vector<std::int32_t> state;
   std::vector<Index> source;  ///< index of each bond before; none for those that fill up to the alignment
   std::vector<Index> colour_begin;
+  std::vector<std::int32_t> colour_starts;
   std::vector<Block> blocks;
   std::vector<Index> new_block;  ///< of every block before; none for those that leave
 
@@ -85,8 +86,9 @@ class KeptBonds {
     const auto at = [](const auto& v, Index k) { return v[static_cast<std::size_t>(k)]; };
     for (Index c = block.first_colour; c < block.end_colour; ++c) {
       colour_begin.push_back(static_cast<Index>(source.size()));
+      colour_starts.push_back(at(old.colours.starts, c));
       if (c + 1 == block.end_colour) break;
-      for (Index n = at(old.colour_begin, c); n < at(old.colour_begin, c + 1); ++n) {
+      for (Index n = at(old.colours.begin, c); n < at(old.colours.begin, c + 1); ++n) {
         const Index first = at(remaining.new_index, at(old.i, n)), second = at(remaining.new_index, at(old.j, n));
         if (at(old.state, n) != bond_broken && first != none && second != none) add(n, first, second, at(old.state, n));
       }

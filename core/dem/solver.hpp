@@ -68,8 +68,8 @@ class DemSolver final : public Dem {
   void begin_step(const Window& window, int done);
   void end_step(bool last_of_window);
   void advance_rocks(const Advance& what);
-  template <class Large, class Kernel>
-  void advance_large_rock(const Large& rock, Kernel kernel);
+  template <class Kernel>
+  void advance_large_rock(const LargeRock& rock, Kernel kernel);
   Move move();
   Gather<Real> gather();
   void finish_step(bool kick);

@@ -104,16 +104,18 @@ void DemSolver<Exec, Real>::advance_rocks(const Advance& what) {
   });
 }
 
-/// All threads move the particles of the rock, then they share its bonds colour by colour, pass by pass.
+/// All threads move the particles of the rock, then they share its bonds, round by round, pass by pass.
 template <class Exec, class Real>
-template <class Large, class Kernel>
-void DemSolver<Exec, Real>::advance_large_rock(const Large& rock, Kernel kernel) {
-  kernel.pieces = rock_.large_rows() + rock.first_row;
+template <class Kernel>
+void DemSolver<Exec, Real>::advance_large_rock(const LargeRock& rock, Kernel kernel) {
+  kernel.pieces = rock_.large_rows() + rock.rows.begin;
   for (int pass = 0; pass < kernel.all_passes(rock.substeps); ++pass) {
     kernel.only_pass = pass;
-    exec_.for_each_block("advance rocks", BlockLaunch{rock.rows, run_length}, kernel);
-    exec_.for_each_colour("bonds of large rocks", rock.colour_begin,
-                          LargeRockBonds{kernel.bonds, kernel.when(rock.block, pass, scene_.dt / rock.substeps)});
+    exec_.for_each_block("advance rocks", BlockLaunch{rock.rows.end - rock.rows.begin, run_length}, kernel);
+    const BondStep when = kernel.when(rock.block, pass, scene_.dt / rock.substeps);
+    for (const IndexRange& round : rock.rounds)
+      exec_.for_each_block("bonds of large rocks", rock_.part_launch(round),
+                           PartBonds{rock_.parts() + round.begin, rock_.colour_begin(), kernel.bonds, when});
   }
 }
 

@@ -29,7 +29,6 @@ namespace gyro {
 ///                                          each, is true; any order. A kernel may have pick_each(pack) too, which
 ///                                          says it of a pack of neighbouring i
 ///   for_each_block(label, launch, kernel)  kernel(lanes, k, pass) over the items of each block k, see below
-///   for_each_colour(label, colours, kernel)  kernel(lanes) over the items of one large block, colour by colour
 ///   reduce(label, n, map)                  sum of map(i), added in a fixed order
 ///   exclusive_scan(n, counts)              in place, n + 1 numbers; returns the total
 ///   sort_by_key(keys, values)              stable
@@ -43,11 +42,11 @@ namespace gyro {
 ///   repeat(times, halted, launches)          launches(), which does nothing but launch kernels, `times` times with the
 ///                                            arguments of the first time; while *halted, these kernels do nothing
 ///
-/// A kernel over blocks says how its work lies: rows(k) are prepared first, by prepare(row, k, pass); items(k) are then
-/// worked on as if one after the other; both passes(k) times. A CPU core takes Kernel::Pack::count items at a time, and
-/// rows by prepare(RowPack{row}, k, pass), Kernel::RowPack::count at a time, the last ones one by one. A GPU takes one
-/// item a thread (Kernel::Lane) and all items of a colour at once, for the colours(k) in their order. Rows of blocks
-/// are disjoint and ascend with k. The colours of a large block are given as the begins of their ranges of items.
+/// A kernel over blocks says how its work lies: rows(k), if it has rows, are prepared first, by prepare(row, k, pass);
+/// items(k) are then worked on as if one after the other; both passes(k) times. A CPU core takes Kernel::Pack::count
+/// items at a time, and rows by prepare(RowPack{row}, k, pass), Kernel::RowPack::count at a time; the last ones one by
+/// one. A GPU takes one item a thread (Kernel::Lane) and all items of a colour at once, for the colours(k) in their
+/// order. share(k) are ranges, of rows or items, that measure the work; they are disjoint and ascend with k.
 ///
 /// A buffer has size(), data() and resize(n), which keeps what is there and sets what is new to zero.
 /// Its elements are read and written by kernels or through the last four operations only. Kernels get
@@ -125,11 +124,11 @@ class Cpu {
     static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
     if (launch.blocks == 0) return;
     const PhaseTimer::Mark mark = timer_.begin(label);
-    if (threads_ == 1 || kernel.rows(launch.blocks - 1).end - kernel.rows(0).begin < inline_limit) {
+    if (threads_ == 1 || kernel.share(launch.blocks - 1).end - kernel.share(0).begin < inline_limit) {
       for (Index k = 0; k < launch.blocks; ++k) work_on_block(k, kernel);
     } else {
-      // A thread starts with the blocks whose rows are its share of for_each, so that they stay in its
-      // cache, and then helps the others.
+      // A thread starts with its share of the work, the same in each step, so that it stays in its cache, and then
+      // helps the others.
       std::vector<BlockShare> shares = shares_of(launch.blocks, kernel);
       team_->run([&](int t) {
         for (int turn = 0; turn < threads_; ++turn) {
@@ -137,24 +136,6 @@ class Cpu {
           for (Index k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;) work_on_block(k, kernel);
         }
       });
-    }
-    timer_.end(mark);
-  }
-
-  template <class Kernel>
-  void for_each_colour(const char* label, std::span<const Index> colour_begin, const Kernel& kernel) {
-    static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
-    const PhaseTimer::Mark mark = timer_.begin(label);
-    for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) {
-      const Index begin = colour_begin[c], items = colour_begin[c + 1] - begin;
-      const auto share_begin = [&](Index t) {  // whole packs, but for the last share
-        using Pack = typename Kernel::Pack;
-        return t == threads_ ? begin + items : begin + items / Pack::count * t / threads_ * Pack::count;
-      };
-      if (items < inline_limit)
-        work_on_items({begin, begin + items}, kernel);
-      else
-        team_->run([&](int t) { work_on_items({share_begin(t), share_begin(t + 1)}, kernel); });
     }
     timer_.end(mark);
   }
@@ -273,16 +254,22 @@ class Cpu {
   template <class Kernel>
   static void work_on_block(Index k, const Kernel& kernel) {
     using Pack = typename Kernel::Pack;
-    using RowPack = typename Kernel::RowPack;
-    const IndexRange rows = kernel.rows(k), items = kernel.items(k);
-    GYRO_EXPECT(rows.begin <= rows.end && (items.end - items.begin) % Pack::count == 0);
+    const IndexRange items = kernel.items(k);
     const int passes = kernel.passes(k);
     for (int pass = 0; pass < passes; ++pass) {
-      Index row = rows.begin;
-      for (; row + RowPack::count <= rows.end; row += RowPack::count) kernel.prepare(RowPack{row}, k, pass);
-      for (; row < rows.end; ++row) kernel.prepare(row, k, pass);
-      for (Index item = items.begin; item < items.end; item += Pack::count) kernel(Pack{item}, k, pass);
+      if constexpr (requires { kernel.rows(k); }) prepare_rows(k, pass, kernel);
+      Index item = items.begin;
+      for (; item + Pack::count <= items.end; item += Pack::count) kernel(Pack{item}, k, pass);
+      for (; item < items.end; ++item) kernel(typename Kernel::Lane{item}, k, pass);
     }
+  }
+  template <class Kernel>
+  static void prepare_rows(Index k, int pass, const Kernel& kernel) {
+    using RowPack = typename Kernel::RowPack;
+    const IndexRange rows = kernel.rows(k);
+    Index row = rows.begin;
+    for (; row + RowPack::count <= rows.end; row += RowPack::count) kernel.prepare(RowPack{row}, k, pass);
+    for (; row < rows.end; ++row) kernel.prepare(row, k, pass);
   }
   /// Works on the picked indices in packs, and on the last ones, which do not fill a pack, one by one.
   template <class Kernel>
@@ -317,15 +304,6 @@ class Cpu {
       for (; k + lanes <= count; k += lanes) kernel(typename Kernel::Pack{picked + k});
     for (; k < count; ++k) kernel(typename Kernel::Lane{picked[k]});
   }
-  /// Works on items in packs, and on the last ones, which do not fill a pack, one by one.
-  template <class Kernel>
-  static void work_on_items(const IndexRange& items, const Kernel& kernel) {
-    using Pack = typename Kernel::Pack;
-    Index item = items.begin;
-    for (; item + Pack::count <= items.end; item += Pack::count) kernel(Pack{item});
-    for (; item < items.end; ++item) kernel(typename Kernel::Lane{item});
-  }
-
   /// Blocks [next, end) that one thread starts with. On a cache line of its own: all threads count down theirs.
   struct alignas(64) BlockShare {
     std::atomic<Index> next{0};
@@ -334,13 +312,13 @@ class Cpu {
   template <class Kernel>
   std::vector<BlockShare> shares_of(Index blocks, const Kernel& kernel) const {
     std::vector<BlockShare> shares(static_cast<std::size_t>(threads_));
-    const Index rows = blocks > 0 ? kernel.rows(blocks - 1).end : 0;
-    const Index rows_each = (rows + threads_ - 1) / threads_;
+    const Index begin = kernel.share(0).begin, work = kernel.share(blocks - 1).end - begin;
+    const Index each = (work + threads_ - 1) / threads_;
     Index block = 0;
     for (int t = 0; t < threads_; ++t) {
       BlockShare& share = shares[static_cast<std::size_t>(t)];
       share.next = block;
-      while (block < blocks && (t + 1 == threads_ || kernel.rows(block).begin < (t + 1) * rows_each)) ++block;
+      while (block < blocks && (t + 1 == threads_ || kernel.share(block).begin - begin < (t + 1) * each)) ++block;
       share.end = block;
     }
     return shares;

@@ -45,7 +45,7 @@ struct AdvanceRocks {
   int only_pass = -1;  ///< >= 0: this pass alone
 
   GYRO_HD IndexRange rows(Index k) const { return {pieces[k].first_particle, pieces[k].end_particle}; }
-  /// A whole number of packs.
+  GYRO_HD IndexRange share(Index k) const { return rows(k); }
   GYRO_HD IndexRange items(Index k) const {
     return pieces[k].block == none ? IndexRange{0, 0}
                                    : IndexRange{blocks[pieces[k].block].first_bond, blocks[pieces[k].block].end_bond};
@@ -96,18 +96,26 @@ struct AdvanceRocks {
   }
 };
 
-/// The bonds of one large rock, for Exec::for_each_colour.
+/// The bonds of one large rock, part by part, for Exec::for_each_block: its particles have been moved already.
 template <class Real, class Law>
-struct LargeRockBonds {
+struct PartBonds {
   using Lane = OneLane;
   using Pack = PackLanes<native_lanes>;
   static constexpr int blocks_at_once = AdvanceRocks<Real, Law>::blocks_at_once;
 
+  const Part* parts;
+  const Index* colour_begin;
   BondForces<Real, Law> bonds;
   BondStep when;
 
+  GYRO_HD IndexRange items(Index k) const { return {parts[k].first_bond, parts[k].end_bond}; }
+  GYRO_HD IndexRange share(Index k) const { return items(k); }
+  GYRO_HD IndexRange colours(Index k) const { return {parts[k].first_colour, parts[k].end_colour}; }
+  GYRO_HD IndexRange items_of_colour(Index colour) const { return {colour_begin[colour], colour_begin[colour + 1]}; }
+  GYRO_HD static int passes(Index) { return 1; }
+
   template <class Lanes>
-  GYRO_HD void operator()(const Lanes& lanes) const {
+  GYRO_HD void operator()(const Lanes& lanes, Index, int) const {
     bonds(lanes, when);
   }
 };

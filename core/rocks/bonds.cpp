@@ -2,6 +2,7 @@
 #include "core/rocks/bonds.hpp"
 
 #include "core/base/errors.hpp"
+#include "core/scene/bond_colours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,16 +64,10 @@ std::vector<TemplateBond> make_bonds(const std::vector<Vec3d>& centres, const st
 std::vector<Index> colour_bonds(std::vector<TemplateBond>& bonds, Index particles) {
   std::sort(bonds.begin(), bonds.end(),
             [](const TemplateBond& p, const TemplateBond& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
-  std::vector<std::vector<bool>> taken(particles);  // colours in use at a particle
-  const auto is_taken = [&](Index p, std::size_t c) { return c < taken[p].size() && taken[p][c]; };
+  BondColours colours(static_cast<std::size_t>(particles));
   std::vector<std::vector<TemplateBond>> groups;
   for (const TemplateBond& bond : bonds) {
-    std::size_t colour = 0;
-    while (is_taken(bond.i, colour) || is_taken(bond.j, colour)) ++colour;
-    for (const Index p : {bond.i, bond.j}) {
-      if (taken[p].size() <= colour) taken[p].resize(colour + 1);
-      taken[p][colour] = true;
-    }
+    const std::size_t colour = colours.next(bond.i, bond.j);
     if (groups.size() <= colour) groups.resize(colour + 1);
     groups[colour].push_back(bond);
   }

@@ -141,9 +141,10 @@ class Mirror {
   void for_each_block(const char*, const BlockLaunch& shape, const Kernel& kernel) {
     launch([=] {
       for (Index k = shape.blocks - 1; k >= 0; --k) {
-        const IndexRange rows = kernel.rows(k), colours = kernel.colours(k);
+        const IndexRange colours = kernel.colours(k);
         for (int pass = 0; pass < kernel.passes(k); ++pass) {
-          for (Index row = rows.end - 1; row >= rows.begin; --row) kernel.prepare(row, k, pass);
+          if constexpr (requires { kernel.rows(k); })
+            for (Index row = kernel.rows(k).end - 1; row >= kernel.rows(k).begin; --row) kernel.prepare(row, k, pass);
           for (Index c = colours.begin; c < colours.end; ++c) {
             const IndexRange items = kernel.items_of_colour(c);
             for (Index item = items.end - 1; item >= items.begin; --item) kernel(typename Kernel::Lane{item}, k, pass);
@@ -151,13 +152,6 @@ class Mirror {
         }
       }
     });
-  }
-  template <class Kernel>
-  void for_each_colour(const char*, std::span<const Index> colour_begin, const Kernel& kernel) {
-    for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c)
-      launch([=, begin = colour_begin[c], end = colour_begin[c + 1]] {
-        for (Index item = end - 1; item >= begin; --item) kernel(typename Kernel::Lane{item});
-      });
   }
   template <class T, class Map>
   T reduce(const char*, Index n, const Map& map) {

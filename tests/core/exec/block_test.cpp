@@ -16,6 +16,12 @@ struct FourItems {
   Index first;
 };
 
+/// One item, for the last ones of a block.
+struct OneItem {
+  static constexpr int count = 1;
+  Index first;
+};
+
 /// Three rows, in any order.
 struct ThreeRows {
   static constexpr int count = 3;
@@ -25,6 +31,7 @@ struct ThreeRows {
 /// Blocks of rows; each item adds its number to a row of its block, after all that came before.
 struct MixItems {
   using Pack = FourItems;
+  using Lane = OneItem;
   using RowPack = ThreeRows;
   const std::vector<IndexRange>* block_rows;
   const std::vector<IndexRange>* block_items;
@@ -34,14 +41,16 @@ struct MixItems {
 
   IndexRange rows(Index block) const { return (*block_rows)[static_cast<std::size_t>(block)]; }
   IndexRange items(Index block) const { return (*block_items)[static_cast<std::size_t>(block)]; }
+  IndexRange share(Index block) const { return rows(block); }
   int passes(Index block) const { return block % 4 == 3 ? max_passes - 1 : max_passes; }
   void prepare(Index row, Index, int pass) const { row_values[row] = pass == 0 ? 1 : row_values[row] ^ 5; }
   void prepare(const ThreeRows& pack, Index block, int pass) const {
     for (Index row = pack.first; row < pack.first + ThreeRows::count; ++row) prepare(row, block, pass);
   }
-  void operator()(const FourItems& pack, Index block, int pass) const {
+  template <class Items>
+  void operator()(const Items& pack, Index block, int pass) const {
     const IndexRange own = rows(block);
-    for (Index item = pack.first; item < pack.first + FourItems::count; ++item) {
+    for (Index item = pack.first; item < pack.first + Items::count; ++item) {
       std::uint64_t& value = row_values[own.begin + item % (own.end - own.begin)];
       value = value * 6364136223846793005u + static_cast<std::uint64_t>(item + pass);  // depends on the order
       block_of_item[item] = block;
@@ -51,11 +60,11 @@ struct MixItems {
 
 struct Blocks {
   std::vector<IndexRange> rows, items;
-  /// Blocks of 1 to 11 rows and 0 to 7 packs.
+  /// Blocks of 1 to 11 rows and 0 to 30 items.
   explicit Blocks(Index count) {
     Index row = 3, item = 0;
     for (Index k = 0; k < count; ++k) {
-      const Index more_rows = 1 + k * 5 % 11, more_items = 4 * (k * 3 % 8);
+      const Index more_rows = 1 + k * 5 % 11, more_items = k * 13 % 31;
       rows.push_back({row, row + more_rows});
       items.push_back({item, item + more_items});
       row += more_rows + (k % 4 == 0);  // rows that belong to no block
@@ -114,45 +123,33 @@ TEST_CASE("A second pass begins with what the first one has left", "[exec]") {
 
 namespace {
 
-/// Notes in which colour each item was worked on, and how often.
-struct NoteColour {
-  struct Pack {
-    static constexpr int count = 4;
-    Index first;
-  };
-  struct Lane {
-    static constexpr int count = 1;
-    Index first;
-  };
+/// Counts how often each item is worked on. A kernel without rows.
+struct CountItems {
+  using Pack = FourItems;
+  using Lane = OneItem;
+  const std::vector<Index>* begin;
   std::atomic<int>* visits;
-  std::atomic<int>* done;  ///< items so far
-  int* done_before;        ///< for each item: an upper bound of the items that were done before it
 
-  template <class Lanes>
-  void operator()(const Lanes& lanes) const {
-    for (Index item = lanes.first; item < lanes.first + Lanes::count; ++item) {
-      ++visits[item];
-      done_before[item] = (*done)++;
-    }
+  IndexRange items(Index k) const {
+    return {(*begin)[static_cast<std::size_t>(k)], (*begin)[static_cast<std::size_t>(k) + 1]};
+  }
+  IndexRange share(Index k) const { return items(k); }
+  static int passes(Index) { return 2; }
+  template <class Items>
+  void operator()(const Items& pack, Index, int) const {
+    for (Index item = pack.first; item < pack.first + Items::count; ++item) ++visits[item];
   }
 };
 
 }  // namespace
 
-TEST_CASE("Colours of a large block are worked on one after the other, each by all threads", "[exec]") {
-  const std::vector<Index> colours{3, 4, 4, 21, 120, 1000, 1003};
+TEST_CASE("Blocks without rows, some of them empty, are shared by their items", "[exec]") {
+  const std::vector<Index> begin{3, 4, 4, 21, 120, 1000, 1003};
   for (const int threads : {1, 2, 7}) {
     std::vector<std::atomic<int>> visits(1003);
-    std::vector<int> done_before(1003);
-    std::atomic<int> done{0};
     Cpu cpu(threads);
-    cpu.for_each_colour("colours", colours, NoteColour{visits.data(), &done, done_before.data()});
-    for (std::size_t item = 0; item < visits.size(); ++item) CHECK(visits[item] == (item >= 3 ? 1 : 0));
-    for (std::size_t c = 0; c + 1 < colours.size(); ++c)
-      for (Index item = colours[c]; item < colours[c + 1]; ++item) {
-        CHECK(done_before[static_cast<std::size_t>(item)] >= colours[c] - 3);
-        CHECK(done_before[static_cast<std::size_t>(item)] < colours[c + 1] - 3);
-      }
+    cpu.for_each_block("count", {static_cast<Index>(begin.size()) - 1, 1}, CountItems{&begin, visits.data()});
+    for (std::size_t item = 0; item < visits.size(); ++item) CHECK(visits[item] == (item >= 3 ? 2 : 0));
   }
 }
 
