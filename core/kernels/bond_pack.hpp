@@ -18,9 +18,7 @@ struct PackLanes {
 
   template <class T>
   Pack<T, N> load(const T* column) const {
-    Pack<T, N> out;
-    std::memcpy(&out.v, column + first, sizeof out.v);
-    return out;
+    return Pack<T, N>{vector_at<typename Pack<T, N>::Vector>(column + first)};
   }
 
   /// The vector of a row, in the number type T.
@@ -77,23 +75,21 @@ struct PackLanes {
         torques_i(load.torque_i.x, load.torque_i.y, load.torque_i.z, slip_work);
     const Rows forces_j(load.force.x, load.force.y, load.force.z, zero),
         torques_j(load.torque_j.x, load.torque_j.y, load.torque_j.z, zero);
-    for (int k = 0; k < N; ++k) {
-      if (state.v[k] == bond_broken) continue;
-      add_row<Real>(rows[i.v[k]], forces_i.row[k], torques_i.row[k]);
-      add_row<Real>(rows[j.v[k]], forces_j.row[k], torques_j.row[k]);
-    }
+    unrolled<N>([&](int k) {
+      if (state.v[k] == bond_broken) return;
+      add_row<Real>(rows + i.v[k], forces_i.row[k], torques_i.row[k]);
+      add_row<Real>(rows + j.v[k], forces_j.row[k], torques_j.row[k]);
+    });
   }
 
  private:
   /// Load is a row of eight doubles: force, damped, torque, slipped.
   template <class Real>
-  static void add_row(Load& load, const Four<Real>& force, const Four<Real>& torque) {
+  static void add_row(Load* load, const Four<Real>& force, const Four<Real>& torque) {
     static_assert(sizeof(Load) == 2 * sizeof(Four<double>));
-    Four<double> sum[2];
-    std::memcpy(sum, &load, sizeof sum);
-    sum[0] += pack_cast<double>(Pack<Real, 4>{force}).v;
-    sum[1] += pack_cast<double>(Pack<Real, 4>{torque}).v;
-    std::memcpy(static_cast<void*>(&load), sum, sizeof sum);
+    const auto first = vector_at<Four<double>>(load, 0), second = vector_at<Four<double>>(load, 1);
+    store_vector(load, 0, first + pack_cast<double>(Pack<Real, 4>{force}).v);
+    store_vector(load, 1, second + pack_cast<double>(Pack<Real, 4>{torque}).v);
   }
 };
 

@@ -24,7 +24,7 @@ class ContactSumRow {
   }
   void give(LostWork& lost) const {
     const auto damped_slipped = __builtin_shufflevector(last_, last_, 2, 3);
-    std::memcpy(&lost.contact_damping, &damped_slipped, sizeof damped_slipped);
+    store_vector(&lost.contact_damping, 0, damped_slipped);
   }
   template <template <class> class Contact, class Real>
   void add(std::int8_t touches, const Contact<Real>& contact, const Real& dashpot) {
@@ -62,11 +62,7 @@ struct PackOfParticles {
   static constexpr int count = N;
   Index first;
 
-  D load(const double* column) const {
-    D out;
-    std::memcpy(&out.v, column + first, sizeof out.v);
-    return out;
-  }
+  D load(const double* column) const { return D{vector_at<typename D::Vector>(column + first)}; }
   Quat<D> load(const Quatd* column) const {
     fetch_ahead(column);
     const ParticleRow<D> c = neighbour_columns<N>(column + first);
@@ -82,7 +78,7 @@ struct PackOfParticles {
     return neighbour_columns<N>(column + first);
   }
 
-  void store(double* column, const D& value) const { std::memcpy(column + first, &value.v, sizeof value.v); }
+  void store(double* column, const D& value) const { store_vector(column + first, 0, value.v); }
   void store(Quatd* column, const Quat<D>& q) const { store_neighbours<N>(column + first, {{q.w, q.x, q.y}, q.z}); }
   void store(Load* column, const ForceAndTorque<D>& load) const { store_loads<N>(column + first, load); }
   template <class Row>
@@ -121,7 +117,7 @@ struct PackOfParticles {
       for (int k = 0; k < N; ++k) add(k, ContactSumRow<false>(force[k], torque[k]));
     load.force = row_columns<double, N>([&](int k) { return force[k]; }).vector;
     load.torque = row_columns<double, N>([&](int k) { return torque[k]; }).vector;
-    std::memcpy(&dashpots.v, dashpot, sizeof dashpot);
+    dashpots = D{vector_at<typename D::Vector>(dashpot)};
     return dashpots;
   }
 

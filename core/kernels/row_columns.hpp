@@ -15,22 +15,7 @@ using Four = typename VectorOf<T, 4>::type;
 template <class Row>
 Four<double> whole_row(const Row* rows, Index row) {
   static_assert(sizeof(Row) == sizeof(Four<double>));
-  Four<double> v;
-  std::memcpy(&v, rows + row, sizeof v);
-  return v;
-}
-
-/// The k-th vector of those that lie side by side from `first` on. One at a time: compilers copy arrays of vectors
-/// number by number.
-template <class Vector>
-Vector vector_at(const void* first, int k) {
-  Vector v;
-  std::memcpy(&v, static_cast<const char*>(first) + k * static_cast<int>(sizeof v), sizeof v);
-  return v;
-}
-template <class Vector>
-void store_vector(void* first, int k, const Vector& v) {
-  std::memcpy(static_cast<char*>(first) + k * static_cast<int>(sizeof v), &v, sizeof v);
+  return vector_at<Four<double>>(rows + row);
 }
 
 /// The columns of N rows of four doubles, as packs of T. Rows are loaded whole and transposed in registers: half the
@@ -142,7 +127,7 @@ void store_neighbours(Row* rows, const ParticleRow<Pack<double, N>>& columns) {
   static_assert(sizeof(Row) == sizeof(Four<double>));
   if constexpr (N == 4) {
     const RowsOfFour<double, N> of(columns.vector.x, columns.vector.y, columns.vector.z, columns.number);
-    for (int k = 0; k < N; ++k) store_vector(rows, k, of.row[k]);
+    unrolled<N>([&](int k) { store_vector(rows, k, of.row[k]); });
   } else {
     static_assert(N == 8);
     const auto &x = columns.vector.x.v, &y = columns.vector.y.v, &z = columns.vector.z.v, &w = columns.number.v;

@@ -18,24 +18,14 @@ Struct<Pack<Real, N>> struct_columns(const Struct<Real>*, const At& at) {
   constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
   static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
   Pack<Real, N> columns[numbers];
-  const auto read = [&](int k, int number, auto& to) {
-    std::memcpy(&to, reinterpret_cast<const Real*>(at(k)) + number, sizeof to);
-  };
+  const auto numbers_of = [&](int k, int first) { return reinterpret_cast<const Real*>(at(k)) + first; };
   if constexpr (numbers < 4) {
     for (int c = 0; c < numbers; ++c)
-      for (int k = 0; k < N; ++k) {
-        Real number;
-        read(k, c, number);
-        columns[c].v[k] = number;
-      }
+      for (int k = 0; k < N; ++k) columns[c].v[k] = *numbers_of(k, c);
   } else {
     for (int c = 0; c < numbers; c += 4) {
       const int first = std::min(c, numbers - 4);
-      const auto four = row_columns<Real, N>([&](int k) {
-        Four<Real> row;
-        read(k, first, row);
-        return row;
-      });
+      const auto four = row_columns<Real, N>([&](int k) { return vector_at<Four<Real>>(numbers_of(k, first)); });
       columns[first] = four.vector.x;
       columns[first + 1] = four.vector.y;
       columns[first + 2] = four.vector.z;
@@ -43,7 +33,7 @@ Struct<Pack<Real, N>> struct_columns(const Struct<Real>*, const At& at) {
     }
   }
   Struct<Pack<Real, N>> out;
-  std::memcpy(static_cast<void*>(&out), columns, sizeof out);
+  unrolled<numbers>([&](int c) { store_vector(&out, c, columns[c].v); });
   return out;
 }
 
@@ -52,15 +42,14 @@ template <int N, template <class> class Struct, class Real, class At>
 void store_structs(const Struct<Pack<Real, N>>& value, const At& at) {
   constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
   static_assert(numbers >= 4 && sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
+  using Vector = typename Pack<Real, N>::Vector;
   Pack<Real, N> columns[numbers];
-  std::memcpy(columns, static_cast<const void*>(&value), sizeof columns);
-  for (int c = 0; c < numbers; c += 4) {
-    const int first = std::min(c, numbers - 4);
+  unrolled<numbers>([&](int c) { columns[c] = Pack<Real, N>{vector_at<Vector>(&value, c)}; });
+  unrolled<(numbers + 3) / 4>([&](auto four) {
+    constexpr int first = std::min(4 * decltype(four)::value, numbers - 4);
     const RowsOfFour<Real, N> rows(columns[first], columns[first + 1], columns[first + 2], columns[first + 3]);
-    for (int k = 0; k < N; ++k)
-      std::memcpy(reinterpret_cast<char*>(at(k)) + first * static_cast<int>(sizeof(Real)), &rows.row[k],
-                  sizeof rows.row[k]);
-  }
+    unrolled<N>([&](int k) { store_vector(reinterpret_cast<Real*>(at(k)) + first, 0, rows.row[k]); });
+  });
 }
 
 }  // namespace gyro

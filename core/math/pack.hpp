@@ -27,6 +27,22 @@ struct VectorOf {
   using type [[gnu::vector_size(bytes)]] = T;
 };
 
+/// A vector at any address, among numbers of any type. In place of std::memcpy, which GCC 12 does in halves of 16 bytes
+/// through the stack: the processor then waits until they are written before it can read them as one.
+template <class Vector>
+struct [[gnu::packed, gnu::may_alias]] VectorAnywhere {
+  Vector v;
+};
+/// The k-th vector of those that lie side by side from `first` on.
+template <class Vector>
+Vector vector_at(const void* first, int k = 0) {
+  return static_cast<const VectorAnywhere<Vector>*>(first)[k].v;
+}
+template <class Vector>
+void store_vector(void* first, int k, const Vector& v) {
+  static_cast<VectorAnywhere<Vector>*>(first)[k].v = v;
+}
+
 /// Result of a comparison, one lane each: all bits set (true) or none.
 template <class T, int N>
 struct PackMask {
@@ -92,6 +108,15 @@ template <class T, int N>
 Pack<T, N> select(PackMask<T, N> m, Pack<T, N> a, Pack<T, N> b) {
   return Pack<T, N>{m.v ? a.v : b.v};
 }
+/// Calls f(k) for k = 0, ..., N - 1, each a constant, so that what it indexes stays in registers.
+template <int N, class F>
+void unrolled(const F& f) {
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    (f(std::integral_constant<int, k>{}), ...);
+  }
+  (std::make_integer_sequence<int, N>{});
+}
+
 /// A function of each lane.
 template <class T, int N, class F>
 Pack<T, N> lane_by_lane(Pack<T, N> a, const F& f) {
