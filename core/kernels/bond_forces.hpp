@@ -4,6 +4,8 @@
 #include "core/base/shared_counter.hpp"
 #include "core/kernels/bond_lane.hpp"
 
+#include <type_traits>
+
 namespace gyro {
 
 /// Where failing bonds are noted.
@@ -15,6 +17,24 @@ struct BreakLog {
   std::int32_t* limit_exceeded;  ///< set to 1 by any bond beyond it
   const std::int32_t* steps;     ///< are added to BondStep::step, where a device counts them; null: none
 };
+
+namespace bond_detail {
+
+template <class Real, class Lanes, template <class> class Column>
+GYRO_HD auto rates_of(const Lanes& lanes, const ConstParticleView& p, const Bonds<Column, Real>& b) {
+  const auto i = lanes.load(b.i), j = lanes.load(b.j);
+  return BondRates<typename Lanes::template Number<Real>>{lanes.template difference<Real>(p.motion, j, i),
+                                                          lanes.template vector<Real>(p.angular_motion, i),
+                                                          lanes.template vector<Real>(p.angular_motion, j)};
+}
+template <class Real, class Lanes, template <class> class Column>
+GYRO_HD auto section_of(const Lanes& lanes, const Bonds<Column, Real>& b) {
+  return BondSection<typename Lanes::template Number<Real>>{
+      lanes.load(b.radius),       lanes.load(b.strength), lanes.load(b.sqrt_mass),
+      lanes.load(b.sqrt_inertia), lanes.load(b.arm),      lanes.template load_as<Real>(b.length)};
+}
+
+}  // namespace bond_detail
 
 /// Strain, rates and section of the bonds of some lanes; the only place that knows how they lie in
 /// memory. Lanes are a pack of bonds (CPU) or one bond (a GPU thread).
@@ -40,10 +60,8 @@ struct BondLanes {
     ends = {lanes.template difference<double>(p.position, j, i), lanes.quaternion(p.orientation, i),
             lanes.quaternion(p.orientation, j)};
     take_axes(intact_axis(shape, ends));
-    rates = {lanes.template difference<Real>(p.motion, j, i), lanes.template vector<Real>(p.angular_motion, i),
-             lanes.template vector<Real>(p.angular_motion, j)};
-    section = {lanes.load(b.radius),   lanes.load(b.strength), lanes.load(b.sqrt_mass), lanes.load(b.sqrt_inertia), arm,
-               lane_cast<Real>(length)};
+    rates = bond_detail::rates_of<Real>(lanes, p, b);
+    section = bond_detail::section_of<Real>(lanes, b);
   }
 
   /// Of bonds of which some are pressed: their axes are those of the last step, rotated with their ends.
@@ -66,6 +84,10 @@ struct BondLanes {
                 lane_cast<Real>(strain.bend)};
   }
 };
+
+/// The same of a pack of bonds that is wider than a register of doubles (wide_bond_pack.hpp).
+template <class Real, class Lanes>
+struct WideBondLanes;
 
 /// The bonds of which rock are evaluated, and when.
 struct BondStep {
@@ -94,7 +116,7 @@ struct BondForces {
     const auto state = lanes.load(b.state);
     if (!lanes.any_unbroken(state)) return;
     if (lanes.any_pressed(state)) return with_pressed(lanes, when);
-    const BondLanes<Real, Lanes> bond(lanes, p, b);
+    const std::conditional_t<Lanes::in_halves, WideBondLanes<Real, Lanes>, BondLanes<Real, Lanes>> bond(lanes, p, b);
     const BondLoad<R> load = intact_load(lanes, bond, when, lanes.template is_intact<Real>(state));
     lanes.add(loads, lanes.load(b.i), lanes.load(b.j), state, load, R(0));
   }
@@ -112,6 +134,13 @@ struct BondForces {
   /// The same, if some of the bonds are pressed. Apart from the other, whose registers it would need.
   template <class Lanes>
   GYRO_APART GYRO_FLATTEN GYRO_HD void with_pressed(const Lanes& lanes, const BondStep& when) const {
+    if constexpr (Lanes::in_halves)
+      for (const int k : {0, 1}) (*this)(lanes.half(k), when);
+    else
+      all_with_pressed(lanes, when);
+  }
+  template <class Lanes>
+  GYRO_HD void all_with_pressed(const Lanes& lanes, const BondStep& when) const {
     using R = typename Lanes::template Number<Real>;
     const auto state = lanes.load(b.state);
     const auto intact = lanes.template is_intact<Real>(state);
@@ -127,16 +156,21 @@ struct BondForces {
     lanes.add(loads, lanes.load(b.i), lanes.load(b.j), state, load, select(intact, R(0), pressed.slip_work));
   }
 
-  template <class Lanes, class Mask>
-  GYRO_HD auto intact_load(const Lanes& lanes, const BondLanes<Real, Lanes>& bond, const BondStep& when,
-                           const Mask& intact) const {
+  /// @param bond  BondLanes or WideBondLanes
+  template <class Lanes, class Bond, class Mask>
+  GYRO_HD auto intact_load(const Lanes& lanes, const Bond& bond, const BondStep& when, const Mask& intact) const {
     using R = typename Lanes::template Number<Real>;
     const BondLoad<R> load = Law::load(spread(lanes, when), bond.section, bond.strain_r, bond.rates);
-    const auto broken = intact & ((load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1)));
-    if (lanes.any(broken)) note_failures(lanes, when, broken);
+    const auto broken = intact & failed(load);
+    if (lanes.any(broken)) note_failures(lanes, when);
     const R rotation2 = bond.strain_r.twist * bond.strain_r.twist + norm2(bond.strain_r.bend);
     if (lanes.any(intact & (rotation2 > R(log.rotation_limit * log.rotation_limit)))) raise_flag(log.limit_exceeded);
     return load;
+  }
+
+  template <class R>
+  GYRO_HD static auto failed(const BondLoad<R>& load) {
+    return (load.tension_ratio >= R(1)) | (load.shear_ratio >= R(1));
   }
 
   /// A failing bond keeps its normal spring while its ends are pressed together; what else it stored
@@ -144,12 +178,20 @@ struct BondForces {
   /// intact bond, and Verlet's next half kick spends them.
   ///
   /// Failures are rare: what this needs of the bonds is computed again, so that their loads stay in registers.
-  template <class Lanes, class Mask>
-  GYRO_COLD GYRO_HD void note_failures(const Lanes& lanes, const BondStep& when, const Mask& broken) const {
+  template <class Lanes>
+  GYRO_COLD GYRO_HD void note_failures(const Lanes& lanes, const BondStep& when) const {
+    if constexpr (Lanes::in_halves)
+      for (const int k : {0, 1}) note_all_failures(lanes.half(k), when);
+    else
+      note_all_failures(lanes, when);
+  }
+  template <class Lanes>
+  GYRO_HD void note_all_failures(const Lanes& lanes, const BondStep& when) const {
     const auto constants = spread(lanes, when);
     const BondLanes<Real, Lanes> bond(lanes, p, b);
     const auto load = Law::load(constants, bond.section, bond.strain_r, bond.rates);
     const auto after = Law::pressed(constants, bond.section, bond.strain_r, bond.rates);
+    const auto broken = lanes.template is_intact<Real>(lanes.load(b.state)) & failed(load);
     const auto power = bond_power(load, bond.rates), power_after = bond_power(after.load, bond.rates);
     for (int lane = 0; lane < Lanes::count; ++lane) {
       if (!lanes.test(broken, lane)) continue;

@@ -32,11 +32,16 @@ struct OneLane {
   template <class T>
   using Number = T;
   static constexpr int count = 1;
+  static constexpr bool in_halves = false;
   Index n;
 
   template <class T>
   GYRO_HD T load(const T* column) const {
     return column[n];
+  }
+  template <class To, class T>
+  GYRO_HD To load_as(const T* column) const {
+    return static_cast<To>(column[n]);
   }
   template <class T, class Row>
   GYRO_HD Vec3<T> vector(const Row* rows, Index row) const {

@@ -14,11 +14,22 @@ struct PackLanes {
   template <class T>
   using Number = Pack<T, N>;
   static constexpr int count = N;
+  static constexpr bool in_halves = N > native_lanes;  ///< where numbers are double
   Index first;
 
+  PackLanes<N / 2> half(int k) const { return {first + k * (N / 2)}; }
   template <class T>
   Pack<T, N> load(const T* column) const {
     return Pack<T, N>{vector_at<typename Pack<T, N>::Vector>(column + first)};
+  }
+
+  /// The same in another number type.
+  template <class To, class T>
+  Pack<To, N> load_as(const T* column) const {
+    if constexpr (in_halves)
+      return joined(half(0).template load_as<To>(column), half(1).template load_as<To>(column));
+    else
+      return pack_cast<To>(load(column));
   }
 
   /// The vector of a row, in the number type T.

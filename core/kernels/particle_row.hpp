@@ -31,4 +31,13 @@ inline constexpr int native_lanes = 8;
 inline constexpr int native_lanes = 4;
 #endif
 
+/// Lanes of a pack of bonds with loads of this number type. Half a register of single numbers would be empty with
+/// AVX2; with more lanes than doubles in a register, strains are computed in halves.
+template <class Real>
+#if defined(__AVX__) && !defined(__AVX512F__)
+inline constexpr int bond_lanes = sizeof(Real) == 4 ? 2 * native_lanes : native_lanes;
+#else
+inline constexpr int bond_lanes = native_lanes;
+#endif
+
 }  // namespace gyro

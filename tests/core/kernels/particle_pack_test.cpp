@@ -4,7 +4,7 @@
 #include "app/verify/fixtures/random.hpp"
 #include "core/exec/cpu.hpp"
 #include "core/kernels/advance_rocks.hpp"
-#include "core/kernels/bond_pack.hpp"
+#include "core/kernels/wide_bond_pack.hpp"
 #include "core/laws/bond/models.hpp"
 #include "tests/catch.hpp"
 
