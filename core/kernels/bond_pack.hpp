@@ -77,11 +77,11 @@ struct PackLanes {
         torques_i(load.torque_i.x, load.torque_i.y, load.torque_i.z, slip_work);
     const Rows forces_j(load.force.x, load.force.y, load.force.z, zero),
         torques_j(load.torque_j.x, load.torque_j.y, load.torque_j.z, zero);
-    for (int k = 0; k < N; ++k) {
-      if (state.v[k] == bond_broken) continue;
+    for_lanes<N>([&](int k) {
+      if (state.v[k] == bond_broken) return;
       add_row<Real>(rows[i.v[k]], forces_i.row[k], torques_i.row[k]);
       add_row<Real>(rows[j.v[k]], forces_j.row[k], torques_j.row[k]);
-    }
+    });
   }
 
  private:

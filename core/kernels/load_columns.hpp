@@ -47,10 +47,10 @@ void store_loads(Load* rows, const ForceAndTorque<Pack<double, N>>& columns) {
   Four<double> force[N], torque[N];
   store_neighbours<N>(force, {columns.force, Pack<double, N>(0)});
   store_neighbours<N>(torque, {columns.torque, Pack<double, N>(0)});
-  for (int k = 0; k < N; ++k) {
+  for_lanes<N>([&](int k) {
     store_vector(rows, 2 * k, force[k]);
     store_vector(rows, 2 * k + 1, torque[k]);
-  }
+  });
 }
 
 }  // namespace gyro

@@ -30,5 +30,9 @@ inline constexpr int native_lanes = 8;
 #else
 inline constexpr int native_lanes = 4;
 #endif
+/// Lanes of a pack of contacts whose loads are Real: twice as many numbers where they are half as long and registers
+/// are short. Rows are read and written in packs of 4 and of 8.
+template <class Real>
+inline constexpr int load_lanes = sizeof(Real) == 4 ? 8 : native_lanes;
 
 }  // namespace gyro

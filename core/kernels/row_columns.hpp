@@ -11,26 +11,45 @@ namespace gyro {
 template <class T>
 using Four = typename VectorOf<T, 4>::type;
 
-/// A row of four doubles, loaded at once.
+/// A vector at any address. It is read and written at once: a copy of its bytes is made in pieces of 16, and a
+/// processor that then reads the whole waits until the pieces have left for the cache.
+template <class Vector>
+struct [[gnu::packed, gnu::may_alias]] VectorInMemory {
+  Vector v;
+};
+template <class Vector>
+Vector read_vector(const void* at) {
+  return static_cast<const VectorInMemory<Vector>*>(at)->v;
+}
+template <class Vector>
+void write_vector(void* at, Vector v) {
+  static_cast<VectorInMemory<Vector>*>(at)->v = v;
+}
+
+/// Calls f(0) to f(N - 1), one after the other in the code: an array that a loop counts through lies in memory.
+template <int N, class F>
+void for_lanes(const F& f) {
+  [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    (f(lane), ...);
+  }
+  (std::make_integer_sequence<int, N>{});
+}
+
+/// A row of four doubles.
 template <class Row>
 Four<double> whole_row(const Row* rows, Index row) {
   static_assert(sizeof(Row) == sizeof(Four<double>));
-  Four<double> v;
-  std::memcpy(&v, rows + row, sizeof v);
-  return v;
+  return read_vector<Four<double>>(rows + row);
 }
 
-/// The k-th vector of those that lie side by side from `first` on. One at a time: compilers copy arrays of vectors
-/// number by number.
+/// The k-th vector of those that lie side by side from `first` on.
 template <class Vector>
 Vector vector_at(const void* first, int k) {
-  Vector v;
-  std::memcpy(&v, static_cast<const char*>(first) + k * static_cast<int>(sizeof v), sizeof v);
-  return v;
+  return read_vector<Vector>(static_cast<const char*>(first) + k * static_cast<int>(sizeof(Vector)));
 }
 template <class Vector>
-void store_vector(void* first, int k, const Vector& v) {
-  std::memcpy(static_cast<char*>(first) + k * static_cast<int>(sizeof v), &v, sizeof v);
+void store_vector(void* first, int k, Vector v) {
+  write_vector(static_cast<char*>(first) + k * static_cast<int>(sizeof v), v);
 }
 
 /// The columns of N rows of four doubles, as packs of T. Rows are loaded whole and transposed in registers: half the
@@ -92,6 +111,17 @@ struct RowsOfFour {
       row[1] = __builtin_shufflevector(xy01, zw01, 2, 3, 6, 7);
       row[2] = __builtin_shufflevector(xy23, zw23, 0, 1, 4, 5);
       row[3] = __builtin_shufflevector(xy23, zw23, 2, 3, 6, 7);
+    } else if constexpr (sizeof(T) == 4) {
+      static_assert(N == 8);
+      // x0 y0 x1 y1 x4 y4 x5 y5, ...: rows 0 and 4, 1 and 5, 2 and 6, 3 and 7.
+      const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 8, 1, 9, 4, 12, 5, 13),
+                 xy23 = __builtin_shufflevector(x.v, y.v, 2, 10, 3, 11, 6, 14, 7, 15);
+      const auto zw01 = __builtin_shufflevector(z.v, w.v, 0, 8, 1, 9, 4, 12, 5, 13),
+                 zw23 = __builtin_shufflevector(z.v, w.v, 2, 10, 3, 11, 6, 14, 7, 15);
+      set(0, 4, __builtin_shufflevector(xy01, zw01, 0, 1, 8, 9, 4, 5, 12, 13));
+      set(1, 5, __builtin_shufflevector(xy01, zw01, 2, 3, 10, 11, 6, 7, 14, 15));
+      set(2, 6, __builtin_shufflevector(xy23, zw23, 0, 1, 8, 9, 4, 5, 12, 13));
+      set(3, 7, __builtin_shufflevector(xy23, zw23, 2, 3, 10, 11, 6, 7, 14, 15));
     } else {
       static_assert(N == 8);
       // Of x0 y0 x2 y2 x4 y4 x6 y6, ...: rows 0 and 4, 2 and 6, 1 and 5, 3 and 7.
@@ -142,7 +172,7 @@ void store_neighbours(Row* rows, const ParticleRow<Pack<double, N>>& columns) {
   static_assert(sizeof(Row) == sizeof(Four<double>));
   if constexpr (N == 4) {
     const RowsOfFour<double, N> of(columns.vector.x, columns.vector.y, columns.vector.z, columns.number);
-    for (int k = 0; k < N; ++k) store_vector(rows, k, of.row[k]);
+    for_lanes<N>([&](int k) { store_vector(rows, k, of.row[k]); });
   } else {
     static_assert(N == 8);
     const auto &x = columns.vector.x.v, &y = columns.vector.y.v, &z = columns.vector.z.v, &w = columns.number.v;

@@ -17,17 +17,20 @@ template <int N, template <class> class Struct, class Real, class At>
 Struct<Pack<Real, N>> struct_columns(const Struct<Real>*, const At& at) {
   constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
   static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
-  Pack<Real, N> columns[numbers];
+  Struct<Pack<Real, N>> out;  // written vector by vector: compilers copy arrays of vectors in shorter pieces
   const auto read = [&](int k, int number, auto& to) {
-    std::memcpy(&to, reinterpret_cast<const Real*>(at(k)) + number, sizeof to);
+    to = read_vector<std::remove_reference_t<decltype(to)>>(reinterpret_cast<const Real*>(at(k)) + number);
   };
   if constexpr (numbers < 4) {
-    for (int c = 0; c < numbers; ++c)
+    for (int c = 0; c < numbers; ++c) {
+      Pack<Real, N> column;
       for (int k = 0; k < N; ++k) {
         Real number;
         read(k, c, number);
-        columns[c].v[k] = number;
+        column.v[k] = number;
       }
+      store_vector(&out, c, column.v);
+    }
   } else {
     for (int c = 0; c < numbers; c += 4) {
       const int first = std::min(c, numbers - 4);
@@ -36,14 +39,24 @@ Struct<Pack<Real, N>> struct_columns(const Struct<Real>*, const At& at) {
         read(k, first, row);
         return row;
       });
-      columns[first] = four.vector.x;
-      columns[first + 1] = four.vector.y;
-      columns[first + 2] = four.vector.z;
-      columns[first + 3] = four.number;
+      store_vector(&out, first, four.vector.x.v);
+      store_vector(&out, first + 1, four.vector.y.v);
+      store_vector(&out, first + 2, four.vector.z.v);
+      store_vector(&out, first + 3, four.number.v);
     }
   }
-  Struct<Pack<Real, N>> out;
-  std::memcpy(static_cast<void*>(&out), columns, sizeof out);
+  return out;
+}
+
+/// Two structs of packs as one of packs that are twice as long.
+template <template <class> class Struct, class Real>
+Struct<Pack<Real, 8>> joined(const Struct<Pack<Real, 4>>& low, const Struct<Pack<Real, 4>>& high) {
+  constexpr int numbers = sizeof low / sizeof(Pack<Real, 4>);
+  Struct<Pack<Real, 8>> out;
+  for (int c = 0; c < numbers; ++c)
+    store_vector(&out, c,
+                 __builtin_shufflevector(vector_at<Four<Real>>(&low, c), vector_at<Four<Real>>(&high, c), 0, 1, 2, 3, 4,
+                                         5, 6, 7));
   return out;
 }
 
@@ -52,14 +65,13 @@ template <int N, template <class> class Struct, class Real, class At>
 void store_structs(const Struct<Pack<Real, N>>& value, const At& at) {
   constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
   static_assert(numbers >= 4 && sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
-  Pack<Real, N> columns[numbers];
-  std::memcpy(columns, static_cast<const void*>(&value), sizeof columns);
+  const auto column = [&](int c) { return Pack<Real, N>{vector_at<typename Pack<Real, N>::Vector>(&value, c)}; };
   for (int c = 0; c < numbers; c += 4) {
     const int first = std::min(c, numbers - 4);
-    const RowsOfFour<Real, N> rows(columns[first], columns[first + 1], columns[first + 2], columns[first + 3]);
-    for (int k = 0; k < N; ++k)
-      std::memcpy(reinterpret_cast<char*>(at(k)) + first * static_cast<int>(sizeof(Real)), &rows.row[k],
-                  sizeof rows.row[k]);
+    const RowsOfFour<Real, N> rows(column(first), column(first + 1), column(first + 2), column(first + 3));
+    for_lanes<N>([&](int k) {
+      write_vector(reinterpret_cast<char*>(at(k)) + first * static_cast<int>(sizeof(Real)), rows.row[k]);
+    });
   }
 }
 
