@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cstdint>
 #include <memory>
 #include <numeric>
@@ -27,7 +26,7 @@ namespace gyro {
 ///   for_each(label, n, kernel)             kernel(i) for i in [0, n), any order; no two calls write the same
 ///   for_each_picked(label, n, kernel)      kernel(lanes) over those i of [0, n) for which kernel.pick(i), called once
 ///                                          each, is true; any order. A kernel may have pick_each(pack) too, which
-///                                          says it of a pack of neighbouring i
+///                                          says it of a PickPack of neighbouring i
 ///   for_each_block(label, launch, kernel)  kernel(lanes, k, pass) over the items of each block k, see below
 ///   reduce(label, n, map)                  sum of map(i), added in a fixed order
 ///   exclusive_scan(n, counts)              in place, n + 1 numbers; returns the total
@@ -276,7 +275,7 @@ class Cpu {
   static void work_on_picked(const IndexRange& range, const Kernel& kernel) {
     constexpr int room = 64, lanes = Kernel::Pack::count;
     static_assert(room % lanes == 0);
-    Index picked[room];
+    Index picked[room + lanes];
     int count = 0;
     const auto take = [&](Index i) {
       if constexpr (lanes == 1) {
@@ -289,12 +288,21 @@ class Cpu {
       }
     };
     Index i = range.begin;
-    if constexpr (lanes > 1 && requires { kernel.pick_each(typename Kernel::Pack{picked}); }) {
-      for (; i + lanes <= range.end; i += lanes) {
-        Index run[lanes];
-        std::iota(run, run + lanes, i);
-        for (std::uint32_t bits = kernel.pick_each(typename Kernel::Pack{run}); bits != 0; bits &= bits - 1)
-          take(i + std::countr_zero(bits));
+    if constexpr (lanes > 1 && requires { typename Kernel::PickPack; }) {
+      constexpr int looks = Kernel::PickPack::count;
+      static_assert(looks <= lanes);
+      for (; i + looks <= range.end; i += looks) {
+        Index run[looks];
+        std::iota(run, run + looks, i);
+        const std::uint32_t bits = kernel.pick_each(typename Kernel::PickPack{run});
+        for (int k = 0; k < looks; ++k) {  // no branch: a processor cannot predict which are picked
+          picked[count] = i + k;
+          count += static_cast<int>(bits >> k & 1u);
+        }
+        if (count < room) continue;
+        for (int k = 0; k < room; k += lanes) kernel(typename Kernel::Pack{picked + k});
+        count -= room;
+        std::copy(picked + room, picked + room + looks, picked);
       }
     }
     for (; i < range.end; ++i)

@@ -27,7 +27,7 @@ enum class Motions {
 template <class Real, class Law>
 struct AdvanceRocks {
   using Lane = OneLane;                           ///< of a GPU thread
-  using Pack = PackLanes<bond_lanes<Real>>;       ///< of a CPU core
+  using Pack = PackLanes<load_lanes<Real>>;       ///< of a CPU core
   using RowPack = PackOfParticles<native_lanes>;  ///< of a CPU core
   static constexpr int blocks_at_once = sizeof(Real) == 8 ? 2 : 4;
 
@@ -100,7 +100,7 @@ struct AdvanceRocks {
 template <class Real, class Law>
 struct PartBonds {
   using Lane = OneLane;
-  using Pack = PackLanes<bond_lanes<Real>>;
+  using Pack = PackLanes<load_lanes<Real>>;
   static constexpr int blocks_at_once = AdvanceRocks<Real, Law>::blocks_at_once;
 
   const Part* parts;

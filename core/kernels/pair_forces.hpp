@@ -9,6 +9,13 @@
 
 namespace gyro {
 
+/// How the particles of a pair move, as its contact sees it.
+template <class T>
+struct PairMotion {
+  ContactMotion<T> contact;
+  T arm_i, arm_j;  ///< from the centres to the contact point [m]
+};
+
 /// Contact of two particles: loads into the slots of the pair's two ends. A kernel for Exec::for_each_picked:
 /// neighbours are looked at, and those that touch are evaluated, several at a time.
 /// @tparam Law   a ContactLaw
@@ -17,7 +24,8 @@ template <class Real, class Law, bool held>
 struct PairForces {
   using Lane = OnePair;  ///< of a GPU thread
   /// Of a CPU core. A law that keeps ExtraHistory is evaluated one by one.
-  using Pack = std::conditional_t<Law::keeps_extra_history, OnePair, PackOfPairs<native_lanes>>;
+  using Pack = std::conditional_t<Law::keeps_extra_history, OnePair, PackOfPairs<load_lanes<Real>>>;
+  using PickPack = PackOfPairs<native_lanes>;  ///< looked at together
 
   ConstParticleView p;
   PairView<Real> pairs;
@@ -38,11 +46,11 @@ struct PairForces {
     return touches;
   }
 
-  /// The same for the pairs of a pack. @return bit k is set if pair k of them touches
+  /// The same for the pairs of a pack, which are neighbours in the list. @return bit k is set if pair k of them touches
   template <class Lanes>
   GYRO_FLATTEN std::uint32_t pick_each(const Lanes& lanes) const {
     using D = typename Lanes::template Number<double>;
-    const auto i = lanes.index(pairs.pair, &Pair::i), j = lanes.index(pairs.pair, &Pair::j);
+    const auto [i, j] = lanes.both_ends(pairs.pair);
     ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
     if constexpr (held) {
       a.vector = seen_centre(a.vector, lanes.row(p.motion, i).vector, D(dt), lanes.at(p.step, i));
@@ -52,7 +60,8 @@ struct PairForces {
     const std::uint32_t overlap = bits_of(distance2 < D(surely) * sum2), near = bits_of(distance2 < sum2);
     std::uint32_t touches = overlap;
     // One by one: where rounding decides, or a bond, or something changes.
-    std::uint32_t asks = (near ^ overlap) | (overlap ^ lanes.flags(pairs.touching)) | (overlap & with_bonds(lanes));
+    std::uint32_t asks =
+        (near ^ overlap) | (overlap ^ lanes.neighbour_flags(pairs.touching)) | (overlap & with_bonds(lanes));
     for (; asks != 0; asks &= asks - 1) {
       const int k = std::countr_zero(asks);
       touches = (touches & ~(1u << k)) | (pick(lanes.n[k]) ? 1u << k : 0u);
@@ -62,9 +71,18 @@ struct PairForces {
 
   template <class Lanes>
   GYRO_FLATTEN GYRO_HD void operator()(const Lanes& lanes) const {
+    using R = typename Lanes::template Number<Real>;
+    const Lanes own = lanes;  // a copy, whose numbers no store can change
+    const PairMotion<R> motion = own.in_parts(*this);
+    store(own, motion.contact, motion.arm_i, motion.arm_j);
+  }
+
+  /// What the contact law reads of the particles, in double precision until small differences are formed.
+  template <class Lanes>
+  GYRO_HD PairMotion<typename Lanes::template Number<Real>> part(const Lanes& lanes) const {
     using D = typename Lanes::template Number<double>;
     using R = typename Lanes::template Number<Real>;
-    const auto i = lanes.index(pairs.pair, &Pair::i), j = lanes.index(pairs.pair, &Pair::j);
+    const auto [i, j] = lanes.both_ends(pairs.pair);
     const ParticleRow<D> va = lanes.row(p.motion, i), vb = lanes.row(p.motion, j);
     ParticleRow<D> a = lanes.row(p.position, i), b = lanes.row(p.position, j);
     if constexpr (held) {
@@ -79,18 +97,22 @@ struct PairForces {
     const D arm_a = a.number - D(0.5) * overlap, arm_b = b.number - D(0.5) * overlap;
     const Vec3<D> normal = (D(1) / distance) * span;
 
-    ContactMotion<R> c;
+    PairMotion<R> out;
+    ContactMotion<R>& c = out.contact;
     c.normal = lane_cast<Real>(normal);
     c.overlap = lane_cast<Real>(overlap);
     c.velocity = lane_cast<Real>(va.vector - vb.vector + cross(arm_a * wa.vector + arm_b * wb.vector, normal));
     c.angular_velocity = lane_cast<Real>(wa.vector - wb.vector);
-    c.radius = lane_cast<Real>(a.number * b.number / (a.number + b.number));
-    c.mass = lane_cast<Real>(va.number * vb.number / (va.number + vb.number));
     c.damping_rate = lane_cast<Real>(lanes.at(p.damping_rate, i) + lanes.at(p.damping_rate, j));
-    const D inertias = wa.number + wb.number;
-    c.inertia = lane_cast<Real>(wa.number * wb.number / inertias);
-    c.lever = lane_cast<Real>((arm_a * wb.number - arm_b * wa.number) / inertias);
-    store(lanes, c, lane_cast<Real>(arm_a), lane_cast<Real>(arm_b));
+    c.radius = reduced(lane_cast<Real>(a.number), lane_cast<Real>(b.number));
+    c.mass = reduced(lane_cast<Real>(va.number), lane_cast<Real>(vb.number));
+    const R inertia_a = lane_cast<Real>(wa.number), inertia_b = lane_cast<Real>(wb.number);
+    const R share = inertia_b / (inertia_a + inertia_b);
+    c.inertia = inertia_a * share;
+    out.arm_i = lane_cast<Real>(arm_a);
+    out.arm_j = lane_cast<Real>(arm_b);
+    c.lever = share * out.arm_i - (R(1) - share) * out.arm_j;
+    return out;
   }
 
  private:
@@ -100,10 +122,16 @@ struct PairForces {
     if constexpr (held) return seen_centre(p.position[n].x, p.motion[n].v, dt, p.step[n]);
     return p.position[n].x;
   }
+  /// x y/(x + y), without a product that could be too small for single precision.
+  template <class T>
+  GYRO_HD static T reduced(const T& x, const T& y) {
+    return x * (y / (x + y));
+  }
   GYRO_HD bool is_bonded(const Pair& pair) const { return pair.bond != none && bond_state[pair.bond] != bond_broken; }
   template <class Lanes>
   std::uint32_t with_bonds(const Lanes& lanes) const {
     std::uint32_t bits = 0;
+    if (bond_state == nullptr) return bits;
     for (int k = 0; k < Lanes::count; ++k) bits |= (pairs.pair[lanes.n[k]].bond != none ? 1u : 0u) << k;
     return bits;
   }
@@ -126,11 +154,11 @@ struct PairForces {
 
     const Vec3<R> lever = cross(c.normal, load.force);
     lanes.store(pairs.history, load.history);
-    const auto at_i = lanes.index(pairs.at, &PairEnds::i), at_j = lanes.index(pairs.at, &PairEnds::j);
-    lanes.store_at(pairs.load, at_i, EndLoad<R>{load.force, arm_a * lever + load.couple, load.damped, load.slipped});
-    lanes.store_at(pairs.load, at_j, EndLoad<R>{-load.force, arm_b * lever - load.couple, R(0), R(0)});
-    lanes.store_at(pairs.dashpot, at_i, load.dashpot);
-    lanes.store_at(pairs.dashpot, at_j, load.dashpot);
+    const auto at = lanes.both_ends(pairs.at);
+    lanes.store_at(pairs.load, at.i, EndLoad<R>{load.force, arm_a * lever + load.couple, load.damped, load.slipped});
+    lanes.store_at(pairs.load, at.j, EndLoad<R>{-load.force, arm_b * lever - load.couple, R(0), R(0)});
+    lanes.store_at(pairs.dashpot, at.i, load.dashpot);
+    lanes.store_at(pairs.dashpot, at.j, load.dashpot);
   }
 };
 

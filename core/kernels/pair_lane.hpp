@@ -14,6 +14,11 @@ namespace gyro {
 
 /// One pair.
 struct OnePair : OneRow {
+  /// kernel.part() of the lanes, which a pack may compute in parts of a register of doubles.
+  template <class Kernel>
+  GYRO_HD auto in_parts(const Kernel& kernel) const {
+    return kernel.part(*this);
+  }
   template <class Struct>
   GYRO_HD auto load(const Struct* column) const {
     return column[n];

@@ -31,13 +31,13 @@ inline constexpr int native_lanes = 8;
 inline constexpr int native_lanes = 4;
 #endif
 
-/// Lanes of a pack of bonds with loads of this number type. Half a register of single numbers would be empty with
-/// AVX2; with more lanes than doubles in a register, strains are computed in halves.
+/// Lanes of a pack of bonds or contacts whose loads are Real. With AVX2 half a register of single numbers would be
+/// empty otherwise; what is computed in double is then computed in halves of the pack.
 template <class Real>
 #if defined(__AVX__) && !defined(__AVX512F__)
-inline constexpr int bond_lanes = sizeof(Real) == 4 ? 2 * native_lanes : native_lanes;
+inline constexpr int load_lanes = sizeof(Real) == 4 ? 2 * native_lanes : native_lanes;
 #else
-inline constexpr int bond_lanes = native_lanes;
+inline constexpr int load_lanes = native_lanes;
 #endif
 
 }  // namespace gyro

@@ -11,7 +11,7 @@ namespace gyro {
 template <class T>
 using Four = typename VectorOf<T, 4>::type;
 
-/// A row of four doubles, loaded at once.
+/// A row of four doubles.
 template <class Row>
 Four<double> whole_row(const Row* rows, Index row) {
   static_assert(sizeof(Row) == sizeof(Four<double>));
@@ -77,6 +77,17 @@ struct RowsOfFour {
       row[1] = __builtin_shufflevector(xy01, zw01, 2, 3, 6, 7);
       row[2] = __builtin_shufflevector(xy23, zw23, 0, 1, 4, 5);
       row[3] = __builtin_shufflevector(xy23, zw23, 2, 3, 6, 7);
+    } else if constexpr (sizeof(T) == 4) {
+      static_assert(N == 8);
+      // x0 y0 x1 y1 x4 y4 x5 y5, ...: rows 0 and 4, 1 and 5, 2 and 6, 3 and 7.
+      const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 8, 1, 9, 4, 12, 5, 13),
+                 xy23 = __builtin_shufflevector(x.v, y.v, 2, 10, 3, 11, 6, 14, 7, 15);
+      const auto zw01 = __builtin_shufflevector(z.v, w.v, 0, 8, 1, 9, 4, 12, 5, 13),
+                 zw23 = __builtin_shufflevector(z.v, w.v, 2, 10, 3, 11, 6, 14, 7, 15);
+      set(0, 4, __builtin_shufflevector(xy01, zw01, 0, 1, 8, 9, 4, 5, 12, 13));
+      set(1, 5, __builtin_shufflevector(xy01, zw01, 2, 3, 10, 11, 6, 7, 14, 15));
+      set(2, 6, __builtin_shufflevector(xy23, zw23, 0, 1, 8, 9, 4, 5, 12, 13));
+      set(3, 7, __builtin_shufflevector(xy23, zw23, 2, 3, 10, 11, 6, 7, 14, 15));
     } else {
       static_assert(N == 8);
       // Of x0 y0 x2 y2 x4 y4 x6 y6, ...: rows 0 and 4, 2 and 6, 1 and 5, 3 and 7.

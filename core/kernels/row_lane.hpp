@@ -5,6 +5,12 @@
 
 namespace gyro {
 
+/// Something of both particles of a pair.
+template <class T>
+struct TwoEnds {
+  T i, j;
+};
+
 /// What the lanes of pairs (pair_lane.hpp) and of walls (wall_lane.hpp) have in common: how one row of a list reads the
 /// columns of its particles. For a GPU thread and for tests; PackOfRows (row_pack.hpp) is N rows.
 struct OneRow {
@@ -16,6 +22,11 @@ struct OneRow {
   template <class Struct>
   GYRO_HD Index index(const Struct* column, Index Struct::*member) const {
     return column[n].*member;
+  }
+  /// Members i and j of a row.
+  template <class Struct>
+  GYRO_HD TwoEnds<Index> both_ends(const Struct* column) const {
+    return {column[n].i, column[n].j};
   }
   GYRO_HD double at(const double* column, Index particle) const { return column[particle]; }
   template <class Row>

@@ -17,23 +17,36 @@ template <int N, template <class> class Struct, class Real, class At>
 Struct<Pack<Real, N>> struct_columns(const Struct<Real>*, const At& at) {
   constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
   static_assert(sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
-  Pack<Real, N> columns[numbers];
+  Struct<Pack<Real, N>> out;  // written vector by vector: compilers copy arrays of vectors in shorter pieces
   const auto numbers_of = [&](int k, int first) { return reinterpret_cast<const Real*>(at(k)) + first; };
   if constexpr (numbers < 4) {
-    for (int c = 0; c < numbers; ++c)
-      for (int k = 0; k < N; ++k) columns[c].v[k] = *numbers_of(k, c);
+    for (int c = 0; c < numbers; ++c) {
+      Pack<Real, N> column;
+      for (int k = 0; k < N; ++k) column.v[k] = *numbers_of(k, c);
+      store_vector(&out, c, column.v);
+    }
   } else {
     for (int c = 0; c < numbers; c += 4) {
       const int first = std::min(c, numbers - 4);
       const auto four = row_columns<Real, N>([&](int k) { return vector_at<Four<Real>>(numbers_of(k, first)); });
-      columns[first] = four.vector.x;
-      columns[first + 1] = four.vector.y;
-      columns[first + 2] = four.vector.z;
-      columns[first + 3] = four.number;
+      store_vector(&out, first, four.vector.x.v);
+      store_vector(&out, first + 1, four.vector.y.v);
+      store_vector(&out, first + 2, four.vector.z.v);
+      store_vector(&out, first + 3, four.number.v);
     }
   }
-  Struct<Pack<Real, N>> out;
-  unrolled<numbers>([&](int c) { store_vector(&out, c, columns[c].v); });
+  return out;
+}
+
+/// Two structs of packs as one of packs that are twice as long.
+template <template <class> class Struct, class Real>
+Struct<Pack<Real, 8>> joined(const Struct<Pack<Real, 4>>& low, const Struct<Pack<Real, 4>>& high) {
+  constexpr int numbers = sizeof low / sizeof(Pack<Real, 4>);
+  Struct<Pack<Real, 8>> out;
+  for (int c = 0; c < numbers; ++c)
+    store_vector(&out, c,
+                 __builtin_shufflevector(vector_at<Four<Real>>(&low, c), vector_at<Four<Real>>(&high, c), 0, 1, 2, 3, 4,
+                                         5, 6, 7));
   return out;
 }
 
@@ -42,14 +55,12 @@ template <int N, template <class> class Struct, class Real, class At>
 void store_structs(const Struct<Pack<Real, N>>& value, const At& at) {
   constexpr int numbers = sizeof(Struct<Real>) / sizeof(Real);
   static_assert(numbers >= 4 && sizeof(Struct<Pack<Real, N>>) == numbers * sizeof(Pack<Real, N>));
-  using Vector = typename Pack<Real, N>::Vector;
-  Pack<Real, N> columns[numbers];
-  unrolled<numbers>([&](int c) { columns[c] = Pack<Real, N>{vector_at<Vector>(&value, c)}; });
-  unrolled<(numbers + 3) / 4>([&](auto four) {
-    constexpr int first = std::min(4 * decltype(four)::value, numbers - 4);
-    const RowsOfFour<Real, N> rows(columns[first], columns[first + 1], columns[first + 2], columns[first + 3]);
+  const auto column = [&](int c) { return Pack<Real, N>{vector_at<typename Pack<Real, N>::Vector>(&value, c)}; };
+  for (int c = 0; c < numbers; c += 4) {
+    const int first = std::min(c, numbers - 4);
+    const RowsOfFour<Real, N> rows(column(first), column(first + 1), column(first + 2), column(first + 3));
     unrolled<N>([&](int k) { store_vector(reinterpret_cast<Real*>(at(k)) + first, 0, rows.row[k]); });
-  });
+  }
 }
 
 }  // namespace gyro

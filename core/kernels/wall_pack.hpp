@@ -23,14 +23,14 @@ struct PackOfEntries : PackOfRows<N> {
   ParticleRow<Pack<double, N>> own_row(const Row* rows) const {
     return row_columns<double, N>([&](int k) { return whole_row(rows, n[k]); });
   }
-  WallVelocity<Pack<double, N>> velocity(const WallPose* poses, const Pack<Index, N>& wall) const {
+  WallVelocity<Pack<double, N>> velocity(const WallPose* poses, const RowNumbers<N>& wall) const {
     const auto columns = [&](Vec3d WallPose::*member) {
       return struct_columns<N>(&(poses->*member), [&](int k) { return &(poses[wall.v[k]].*member); });
     };
     return {columns(&WallPose::origin), columns(&WallPose::velocity), columns(&WallPose::angular_velocity)};
   }
   template <class Real>
-  ContactConstants<Pack<Real, N>> of_wall(const ContactConstants<Real>* constants, const Pack<Index, N>& wall) const {
+  ContactConstants<Pack<Real, N>> of_wall(const ContactConstants<Real>* constants, const RowNumbers<N>& wall) const {
     return struct_columns<N>(constants, [&](int k) { return constants + wall.v[k]; });
   }
 

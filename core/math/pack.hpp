@@ -65,7 +65,7 @@ struct Pack {
   Vector v;
 
   Pack() = default;
-  Pack(T s) : v(Vector{} + s) {}  // NOLINT: a number is a pack of equal numbers
+  Pack(T s) : v(spread(s, std::make_integer_sequence<int, N>{})) {}  // NOLINT: a number is a pack of equal numbers
   explicit Pack(Vector x) : v(x) {}
 
   T operator[](int lane) const { return v[lane]; }
@@ -78,11 +78,23 @@ struct Pack {
   friend Mask operator>(Pack a, Pack b) { return {a.v > b.v}; }
   friend Mask operator<=(Pack a, Pack b) { return {a.v <= b.v}; }
   friend Mask operator>=(Pack a, Pack b) { return {a.v >= b.v}; }
+
+ private:
+  template <int... lane>
+  static Vector spread(T s, std::integer_sequence<int, lane...>) {
+    return Vector{((void)lane, s)...};
+  }
 };
 
 /// Whether any lane of a comparison is true.
 template <class Vector>
 bool any_bit(const Vector& v) {
+#if defined(__AVX__)
+  if constexpr (sizeof v == 32) {
+    const auto bits = reinterpret_cast<__m256i>(v);
+    return _mm256_testz_si256(bits, bits) == 0;
+  }
+#endif
   std::uint64_t words[sizeof(Vector) / 8], all = 0;
   std::memcpy(words, &v, sizeof v);
   for (const std::uint64_t w : words) all |= w;

@@ -70,15 +70,15 @@ struct ContactLoad {
 /// Result of a normal law, with all that the tangential and the rolling law need to know of it.
 template <class T>
 struct NormalLoad {
-  T push;                       ///< force that presses the bodies apart, >= 0 [N]
-  T spring;                     ///< its elastic part: push - spring is the dashpot's [N]
-  T stiffness;                  ///< of the normal spring, now [N/m]
-  T tangential_stiffness;       ///< of the tangential spring that belongs to it, now [N/m]
-  T last_tangential_stiffness;  ///< and at the last step; 0 for a new contact [N/m]
-  T tangential_damping;         ///< coefficient of the tangential dashpot [N s/m]
-  T dashpot;                    ///< q of largest_dashpot(), without the cap [N s/m]
-  T unloading;                  ///< factor on remembered tangential loads: falls with the stiffness [-]
-  T damped;                     ///< work lost to hysteresis in this step [J]
+  T push;                  ///< force that presses the bodies apart, >= 0 [N]
+  T spring;                ///< its elastic part: push - spring is the dashpot's [N]
+  T stiffness;             ///< of the normal spring, now [N/m]
+  T tangential_stiffness;  ///< of the tangential spring that belongs to it, now [N/m]
+  T stiffening;            ///< that over its value at the last step; of a new contact any number > 1 [-]
+  T tangential_damping;    ///< coefficient of the tangential dashpot [N s/m]
+  T dashpot;               ///< q of largest_dashpot(), without the cap [N s/m]
+  T unloading;             ///< factor on remembered tangential loads: falls with the stiffness [-]
+  T damped;                ///< work lost to hysteresis in this step [J]
 };
 
 /// Stiffnesses of a contact that limit the step, and the damping ratio of its dashpots.
@@ -89,11 +89,14 @@ struct ContactStiffness {
   double margin;              ///< normal is so many times the largest of the spring, so that a step resolves it [-]
 };
 
-/// A remembered vector laid into the present tangent plane at equal size: the contact has rolled along.
+/// A remembered vector laid into the present tangent plane at equal size: the contact has rolled along. One that stands
+/// on the plane within 1e-6 rad becomes shorter.
+/// @param size2  square of its size
 template <class T>
-GYRO_HD Vec3<T> laid_into_plane(const Vec3<T>& remembered, T size, const Vec3<T>& normal) {
+GYRO_HD Vec3<T> laid_into_plane(const Vec3<T>& remembered, T size2, const Vec3<T>& normal) {
+  using std::sqrt;
   const Vec3<T> flat = tangential(remembered, normal);
-  return (size / larger(norm(flat), T(1e-30))) * flat;
+  return sqrt(size2 / larger(norm2(flat), T(1e-12) * size2 + T(1e-30))) * flat;
 }
 
 /// Share of a vector of this size that a limit leaves, 1 below it.

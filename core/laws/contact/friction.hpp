@@ -26,21 +26,19 @@ struct FrictionLoad {
 template <class T>
 GYRO_HD FrictionLoad<T> friction_load(const ContactConstants<T>& law, const Vec3<T>& normal, const Vec3<T>& slide,
                                       const NormalLoad<T>& n, const ContactHistory<T>& history) {
-  const T tiny = T(1e-30), limit = law.friction * n.push;
-  const T last_size = norm(history.elastic);
-  const Vec3<T> laid = laid_into_plane(history.elastic, last_size, normal);
+  const T limit = law.friction * n.push, last_size2 = norm2(history.elastic);
+  const Vec3<T> laid = laid_into_plane(history.elastic, last_size2, normal);
 
   const Vec3<T> trial = n.unloading * laid - (n.tangential_stiffness * law.dt) * slide;
-  const T size = norm(trial);
+  const auto slides = norm2(trial) > limit * limit;
+  const Vec3<T> wanted = select(slides, trial, trial - n.tangential_damping * slide);
   FrictionLoad<T> out;
-  out.elastic = share_within(size, limit) * trial;
-  const T damping = select(size > limit, T(0), n.tangential_damping);
-  const Vec3<T> wanted = out.elastic - damping * slide;
   out.force = share_within(norm(wanted), limit) * wanted;
+  out.elastic = select(slides, out.force, trial);
 
-  const T stored_before = last_size * last_size / larger(T(2) * n.last_tangential_stiffness, tiny);
-  const T stored = norm2(out.elastic) / larger(T(2) * n.tangential_stiffness, tiny);
-  out.slipped = T(-0.5) * law.dt * dot(laid + out.elastic, slide) - (stored - stored_before);
+  // What the spring stores now and stored before, with 1/St_old = (St/St_old)/St.
+  const T stored = T(0.5) / larger(n.tangential_stiffness, T(1e-30)) * (norm2(out.elastic) - n.stiffening * last_size2);
+  out.slipped = T(-0.5) * law.dt * dot(laid + out.elastic, slide) - stored;
   return out;
 }
 

@@ -24,21 +24,21 @@ struct Hertz {
   GYRO_HD static NormalLoad<T> load(const ContactConstants<T>& law, const ContactMotion<T>& c, T approach,
                                     const ContactHistory<T>& history, ExtraHistory<T>&) {
     using std::sqrt;
-    const T root = sqrt(c.radius * c.overlap);
-    const T damp = T(1.8257418583505538) * law.damping;  // 2 sqrt(5/6) zeta
+    const T root = sqrt(c.radius * c.overlap), last_root = sqrt(c.radius * history.overlap);
     NormalLoad<T> out;
     out.stiffness = T(2) * law.youngs * root;
     out.tangential_stiffness = T(8) * law.shear * root;
-    out.last_tangential_stiffness = T(8) * law.shear * sqrt(c.radius * history.overlap);
+    out.stiffening = root / larger(last_root, T(1e-30));
+    out.unloading = smaller(out.stiffening, T(1));
     out.spring = T(2.0 / 3.0) * out.stiffness * c.overlap;
-    // q = max(c_n, 3.5 c_t) = damp sqrt(heavier root m*), both dashpots being powers of the same root
-    const T heavier = larger(T(2) * law.youngs, T(98) * law.shear);
-    const T last = damp * sqrt(heavier * sqrt(c.radius * history.overlap) * c.mass);
-    out.dashpot = damp * sqrt(heavier * root * c.mass);
-    const T cap = largest_dashpot(law, c, out.dashpot, last);
-    out.push = positive(out.spring + smaller(damp * sqrt(out.stiffness * c.mass), cap) * approach);
-    out.tangential_damping = smaller(damp * sqrt(out.tangential_stiffness * c.mass), cap / T(spin_share));
-    out.unloading = select(c.overlap < history.overlap, sqrt(c.overlap / larger(history.overlap, T(1e-30))), T(1));
+    // c(S) = damp sqrt(S/root) sqrt(root m*), where S/root is a constant; q = max(c_n, 3.5 c_t).
+    const T damp = T(1.8257418583505538) * law.damping;  // 2 sqrt(5/6) zeta
+    const T heavier = damp * larger(law.youngs_root, T(spin_share) * law.shear_root);
+    const T mass_root = sqrt(root * c.mass);
+    out.dashpot = heavier * mass_root;
+    const T cap = largest_dashpot(law, c, out.dashpot, heavier * sqrt(last_root * c.mass));
+    out.push = positive(out.spring + smaller(damp * law.youngs_root * mass_root, cap) * approach);
+    out.tangential_damping = smaller(damp * law.shear_root * mass_root, T(1 / spin_share) * cap);
     out.damped = T(0);
     return out;
   }

@@ -33,9 +33,9 @@ struct Hysteretic {
     NormalLoad<T> out;
     out.stiffness = k1;
     out.spring = out.push = force(law, k2, c.overlap, extra.max_overlap);
-    out.tangential_stiffness = out.last_tangential_stiffness = tangential_stiffness(law, c.radius, c.overlap);
+    out.tangential_stiffness = tangential_stiffness(law, c.radius, c.overlap);
     out.tangential_damping = out.dashpot = T(0);
-    out.unloading = T(1);
+    out.stiffening = out.unloading = T(1);
     const T work = T(0.5) * (last + out.push) * (c.overlap - history.overlap);
     out.damped = work - (out.push * out.push - last * last) / (k2 + k2);
     return out;

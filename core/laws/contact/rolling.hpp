@@ -50,7 +50,7 @@ struct ConstantRolling {
   template <class T>
   GYRO_HD static RollingLoad<T> load(const ContactConstants<T>& law, const ContactMotion<T>& c,
                                      const RollingState<T>& s, ExtraHistory<T>&) {
-    const Vec3<T> resting = (T(0.25) * c.inertia / law.dt) * s.roll + c.lever * cross(c.normal, s.friction);
+    const Vec3<T> resting = (T(0.25) / law.dt * c.inertia) * s.roll + c.lever * cross(c.normal, s.friction);
     RollingLoad<T> out;
     out.couple = -share_within(norm(resting), law.rolling * c.radius * s.normal.push) * resting;
     out.slipped = -(law.dt * dot(out.couple, s.roll));
@@ -78,11 +78,10 @@ struct SpringDashpotRolling {
   GYRO_HD static RollingLoad<T> load(const ContactConstants<T>& law, const ContactMotion<T>& c,
                                      const RollingState<T>& s, ExtraHistory<T>& extra) {
     using std::sqrt;
-    const T tiny = T(1e-30), limit = law.rolling * c.radius * s.normal.push;
+    const T limit = law.rolling * c.radius * s.normal.push;
     const T spring = stiffness_of(law, c.radius, s.normal.stiffness);
-    const T last_spring = spring * s.normal.last_tangential_stiffness / s.normal.tangential_stiffness;
-    const T last_size = norm(extra.roll_elastic);
-    const Vec3<T> laid = laid_into_plane(extra.roll_elastic, last_size, c.normal);
+    const T last_size2 = norm2(extra.roll_elastic);
+    const Vec3<T> laid = laid_into_plane(extra.roll_elastic, last_size2, c.normal);
 
     const Vec3<T> trial = s.normal.unloading * laid - (spring * law.dt) * s.roll;
     const T size = norm(trial);
@@ -92,9 +91,9 @@ struct SpringDashpotRolling {
 
     RollingLoad<T> out;
     out.couple = elastic + drag;
-    const T stored_before = last_size * last_size / larger(T(2) * last_spring, tiny);
-    const T stored = norm2(elastic) / larger(T(2) * spring, tiny);
-    out.slipped = T(-0.5) * law.dt * dot(laid + elastic, s.roll) - (stored - stored_before);
+    // What the spring stores now and stored before: its stiffness falls and grows as the tangential one.
+    const T stored = T(0.5) / larger(spring, T(1e-30)) * (norm2(elastic) - s.normal.stiffening * last_size2);
+    out.slipped = T(-0.5) * law.dt * dot(laid + elastic, s.roll) - stored;
     out.damped = T(-0.5) * law.dt * dot(extra.roll_drag + drag, s.roll);
     extra.roll_elastic = elastic;
     extra.roll_drag = drag;

@@ -190,12 +190,13 @@ struct CountPicked {
 template <int N>
 struct CountPickedSingly : CountPicked<N> {};
 
-/// The same; packs of neighbours are looked at together.
-template <int N>
-struct CountPickedTogether : CountPicked<N> {
-  std::uint32_t pick_each(const Picked<N>& run) const {
+/// The same; packs of neighbours are looked at together, `looks` of them.
+template <int N, int looks>
+struct CountLookedAt : CountPicked<N> {
+  using PickPack = Picked<looks>;
+  std::uint32_t pick_each(const Picked<looks>& run) const {
     std::uint32_t bits = 0;
-    for (int k = 0; k < N; ++k) {
+    for (int k = 0; k < looks; ++k) {
       CHECK(run[k] == run[0] + k);
       bits |= (this->pick(run[k]) ? 1u : 0u) << k;
     }
@@ -203,11 +204,16 @@ struct CountPickedTogether : CountPicked<N> {
   }
 };
 
+template <int N>
+struct CountPickedTogether : CountLookedAt<N, N> {};
+template <int N>
+struct CountPickedByFour : CountLookedAt<N, 4> {};
+
 template <int N, template <int> class Kernel>
 void check_picked(Index n, int threads, bool all) {
   std::vector<int> looks(static_cast<std::size_t>(n)), works(looks);
   Cpu cpu(threads);
-  cpu.for_each_picked("pick", n, Kernel<N>{{looks.data(), works.data(), all}});
+  cpu.for_each_picked("pick", n, Kernel<N>{looks.data(), works.data(), all});
   for (std::size_t i = 0; i < looks.size(); ++i) {
     CAPTURE(N, n, threads, all, i);
     REQUIRE(looks[i] == 1);
@@ -226,6 +232,7 @@ TEST_CASE("What is picked is worked on once, in packs of any width", "[exec]") {
     check_picked<8, CountPickedSingly>(n, threads, all);
     check_picked<4, CountPickedTogether>(n, threads, all);
     check_picked<8, CountPickedTogether>(n, threads, all);
+    check_picked<8, CountPickedByFour>(n, threads, all);
   }
 }
 

@@ -17,9 +17,9 @@ std::vector<Motion> motions() {
 }
 
 /// Rows in an order without a pattern.
-template <int N>
-Pack<Index, N> scattered(int first) {
-  Pack<Index, N> rows;
+template <class Rows, int N>
+Rows scattered(int first) {
+  Rows rows;
   for (int k = 0; k < N; ++k) rows.v[k] = (first + 17 * k) % 40;
   return rows;
 }
@@ -28,7 +28,7 @@ template <int N, class T>
 void check_vectors() {
   CAPTURE(N, sizeof(T));
   const std::vector<Motion> rows = motions();
-  const auto a = scattered<N>(3), b = scattered<N>(11);
+  const auto a = scattered<Pack<Index, N>, N>(3), b = scattered<Pack<Index, N>, N>(11);
   const PackLanes<N> lanes{0};
   const Vec3<Pack<T, N>> v = lanes.template vector<T>(rows.data(), a),
                          d = lanes.template difference<T>(rows.data(), a, b);
@@ -46,7 +46,7 @@ void check_rows() {
   const std::vector<Motion> rows = motions();
   const std::vector<Index> numbers{5, 0, 31, 2, 39, 17, 8, 23};
   const PackOfPairs<N> lanes{numbers.data()};
-  const auto particle = scattered<N>(7);
+  const auto particle = scattered<RowNumbers<N>, N>(7);
   const ParticleRow<Pack<double, N>> row = lanes.row(rows.data(), particle);
   for (int k = 0; k < N; ++k) {
     const ParticleRow<double> one = row_of(rows[static_cast<std::size_t>(particle.v[k])]);
@@ -68,7 +68,7 @@ void check_structs() {
   lanes.store(to.data(), lanes.load(from.data()));
   std::vector<EndLoad<T>> ends(40);
   const auto h = lanes.load(from.data());
-  const Pack<Index, N> at = scattered<N>(2);
+  const auto at = scattered<RowNumbers<N>, N>(2);
   lanes.store_at(ends.data(), at, EndLoad<Pack<T, N>>{h.elastic, h.drag, h.overlap, h.overlap + h.overlap});
   std::vector<bool> written(40, false), loaded(40, false);
   for (int k = 0; k < N; ++k) {
@@ -87,6 +87,53 @@ void check_structs() {
 }
 
 }  // namespace
+
+TEST_CASE("Two packs of pairs are joined in their order", "[kernels]") {
+  const std::vector<Index> numbers{5, 0, 31, 2, 39, 17, 8, 23};
+  std::vector<ContactHistory<float>> from(40);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const auto x = static_cast<float>(k);
+    from[k] = {{x, x + 100, x + 200}, x + 300, {x + 400, x + 500, x + 600}};
+  }
+  const auto both =
+      joined(PackOfPairs<4>{numbers.data()}.load(from.data()), PackOfPairs<4>{numbers.data() + 4}.load(from.data()));
+  for (int k = 0; k < 8; ++k) {
+    const ContactHistory<float>& one = from[static_cast<std::size_t>(numbers[static_cast<std::size_t>(k)])];
+    CHECK((both.elastic.x[k] == one.elastic.x && both.elastic.z[k] == one.elastic.z && both.overlap[k] == one.overlap &&
+           both.drag.y[k] == one.drag.y && both.drag.z[k] == one.drag.z));
+  }
+}
+
+namespace {
+
+template <int N>
+void check_ends() {
+  CAPTURE(N);
+  const std::vector<Index> numbers{5, 0, 31, 2, 39, 17, 8, 23};
+  std::vector<Pair> pairs;
+  for (Index k = 0; k < 40; ++k) pairs.push_back({1000 + k, 3000000 - k, -7});
+  const auto [i, j] = PackOfPairs<N>{numbers.data()}.both_ends(pairs.data());
+  for (int k = 0; k < N; ++k) {
+    const Pair& pair = pairs[static_cast<std::size_t>(numbers[static_cast<std::size_t>(k)])];
+    CHECK((i.v[k] == pair.i && j.v[k] == pair.j));
+  }
+  for (std::uint32_t bits = 0; bits < 1u << N; ++bits) {  // all patterns
+    std::vector<std::int8_t> flags(50, 1);
+    std::vector<Index> neighbours;
+    for (int k = 0; k < N; ++k) {
+      neighbours.push_back(21 + k);
+      flags[static_cast<std::size_t>(21 + k)] = static_cast<std::int8_t>(bits >> k & 1u);
+    }
+    REQUIRE(PackOfPairs<N>{neighbours.data()}.neighbour_flags(flags.data()) == bits);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Packs of four and of eight read the ends and the flags of pairs", "[kernels]") {
+  check_ends<4>();
+  check_ends<8>();
+}
 
 TEST_CASE("Packs of four and of eight take the rows of particles apart as one lane does", "[kernels]") {
   check_vectors<4, float>();

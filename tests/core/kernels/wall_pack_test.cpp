@@ -43,8 +43,8 @@ struct Entries {
     for (int w = 0; w < 2; ++w) {
       poses.push_back({vector_of(w, 0), {1, 0, 0, 0}, vector_of(w, 3), vector_of(w, 6)});
       const Real shift = static_cast<Real>(1 + w);
-      constants.push_back(
-          {shift * Real(1e8), shift * Real(2e8), Real(0.2), Real(0.3) * shift, Real(0.05), Real(1e-5), 1, Real(1e5)});
+      constants.push_back({shift * Real(1e8), shift * Real(2e8), Real(0.2), Real(0.3) * shift, Real(0.05), Real(1e-5),
+                           1, Real(1e5), shift * Real(1e4), shift * Real(3e4)});
     }
     for (int k = 0; k < count; ++k) {
       const int thing = 10 + k;

@@ -14,7 +14,7 @@ namespace {
 constexpr double youngs = 8.6e8, shear = 1.7e8, radius = 0.005, mass = 0.002;
 
 ContactConstants<double> elastic_law() {
-  return {youngs, shear, 0, 0.5, 0, 1e-6, 1, 1e6};
+  return {youngs, shear, 0, 0.5, 0, 1e-6, 1, 1e6, std::sqrt(2 * youngs), std::sqrt(8 * shear)};
 }
 /// The law of a case that does not name one.
 ContactLoad<double> hertz_mindlin(const ContactConstants<double>& law, const ContactMotion<double>& c,
@@ -60,6 +60,29 @@ struct Path {
 };
 
 }  // namespace
+
+TEST_CASE("Remembered friction is laid into the plane at equal size, and stays finite if it stands on the plane",
+          "[laws]") {
+  const Vec3d normal{0, 0, 1};
+  const Vec3d tilted{3, 0, 4}, upright{0, 0, 5};
+  const Vec3d laid = laid_into_plane(tilted, norm2(tilted), normal);
+  CHECK(laid.x == Approx(5));
+  CHECK((laid.y == 0 && laid.z == 0));
+  CHECK(norm(laid_into_plane(upright, norm2(upright), normal)) == 0);
+  const Vec3<float> nearly{1e-7f, 0, 1e12f};  // 1e24 over the square of what lies flat is beyond single precision
+  CHECK(norm(laid_into_plane(nearly, norm2(nearly), Vec3<float>{0, 0, 1})) <= 1e6f * 1e-7f);
+  const Vec3d none{0, 0, 0};
+  CHECK(norm(laid_into_plane(none, 0.0, normal)) == 0);
+}
+
+TEST_CASE("Roots of the stiffnesses belong to the constants of a contact", "[laws]") {
+  const Material rock{"rock", 2600, 5.57e8, 0.35};
+  PairProperties pair;
+  pair.restitution = 0.5;
+  const auto law = contact_constants<double>(rock, rock, pair, 1e-6);
+  CHECK(law.youngs_root * law.youngs_root == Approx(2 * law.youngs));
+  CHECK(law.shear_root * law.shear_root == Approx(8 * law.shear));
+}
 
 TEST_CASE("Normal force is Hertz's plus damping, and never pulls", "[laws][contact]") {
   ContactConstants<double> law = elastic_law();

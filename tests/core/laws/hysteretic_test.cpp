@@ -17,7 +17,7 @@ constexpr double youngs = 8.6e8, shear = 1.7e8, radius = 0.005, mass = 0.002;
 const double k1 = 4.0 / 3 * std::sqrt(0.1) * youngs * radius;
 
 ContactConstants<double> law_with(double restitution, double dt) {
-  return {youngs, shear, 0, 0.5, 0, dt, 1 / (restitution * restitution), 1 / dt};
+  return {youngs, shear, 0, 0.5, 0, dt, 1 / (restitution * restitution), 1 / dt, 0, 0};
 }
 ContactMotion<double> head_on(double overlap, double approach) {
   return {{0, 0, 1}, overlap, {0, 0, approach}, {0, 0, 0}, radius, mass, 2e-8, radius, 0};

@@ -20,7 +20,7 @@ const double spring = 2.25 * normal_stiffness * std::pow(mu * radius, 2);
 const double limit = mu * radius * 2.0 / 3 * normal_stiffness * overlap;
 
 ContactConstants<double> law_with(double rolling, double dt) {
-  return {youngs, shear, 0, 0, rolling, dt, 1, 1 / dt};
+  return {youngs, shear, 0, 0, rolling, dt, 1, 1 / dt, std::sqrt(2 * youngs), std::sqrt(8 * shear)};
 }
 
 /// A contact that rolls about x, with the work done against the couple.
