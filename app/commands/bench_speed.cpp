@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/ceiling/ceiling.hpp"
 #include "app/bench/speed/own_process.hpp"
 #include "app/bench/speed/report.hpp"
 #include "app/bench/speed/state_files.hpp"
@@ -52,7 +53,8 @@ std::vector<SpeedScene> chosen(const BenchSpeedArguments& a) {
   std::vector<SpeedScene> scenes;
   for (const std::string& name : a.scenes) scenes.push_back(scene_named(name));
   for (const SpeedScene& scene : speed_scenes())
-    if (a.scenes.empty() && !scene.asked_only && !(a.states_only && scene.make == nullptr)) scenes.push_back(scene);
+    if (a.scenes.empty() && !a.ceiling && !scene.asked_only && !(a.states_only && scene.make == nullptr))
+      scenes.push_back(scene);
   for (SpeedScene& scene : scenes) {
     if (scene.make == nullptr && !a.scenes.empty() && (a.seed || a.particles || a.states_only))
       throw BadInput("--scene " + scene.name +
@@ -81,6 +83,16 @@ int write_states(const std::vector<SpeedScene>& scenes, const SpeedPlan& plan) {
   return exit_done;
 }
 
+/// Of a run of all scenes, or where it is asked for.
+nlohmann::ordered_json ceilings_of(const BenchSpeedArguments& a, const SpeedPlan& plan) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  if (!a.ceiling && !a.scenes.empty()) return all;
+  const std::vector<BondCeiling> ceilings = measure_bond_ceiling(plan.precisions);
+  if (!a.json) print(ceilings);
+  for (const BondCeiling& ceiling : ceilings) all.push_back(to_json(ceiling));
+  return all;
+}
+
 }  // namespace
 
 int bench_speed_command(const BenchSpeedArguments& a) {
@@ -90,7 +102,7 @@ int bench_speed_command(const BenchSpeedArguments& a) {
   if (!a.states) temporary.emplace();
   const SpeedPlan plan = plan_of(a, a.states ? *a.states : temporary->path());
   if (a.states_only) return write_states(scenes, plan);
-  if (!a.json) print_speed_head();
+  if (!a.json && !scenes.empty()) print_speed_head();
   nlohmann::ordered_json measured = nlohmann::ordered_json::array();
   for (const SpeedScene& scene : scenes)
     for (const SpeedResult& result : measure(scene, plan)) {
@@ -99,10 +111,13 @@ int bench_speed_command(const BenchSpeedArguments& a) {
       else
         print(result);
     }
-  if (a.json)
-    std::cout
-        << nlohmann::ordered_json{{"scenes", measured}, {"machine", processor_name()}, {"git", version::git}}.dump(1)
-        << "\n";
+  const nlohmann::ordered_json ceilings = ceilings_of(a, plan);
+  if (a.json) {
+    nlohmann::ordered_json all{{"scenes", measured}, {"bond_ceiling", ceilings}};
+    all["machine"] = processor_name();
+    all["git"] = version::git;
+    std::cout << all.dump(1) << "\n";
+  }
   return exit_done;
 }
 

@@ -76,6 +76,7 @@ struct BenchSpeedArguments {
   std::optional<int> particles;                 ///< likewise
   std::optional<int> warm_up, timed;            ///< steps; none: the scene's own
   std::optional<std::filesystem::path> states;  ///< folder that keeps start states; none: a temporary one
+  bool ceiling = false;  ///< of bonds; no scenes but those that are named
   bool states_only = false, json = false;
 };
 
