@@ -93,6 +93,7 @@ void add_bench_speed(CLI::App& command, BenchSpeedArguments& a) {
   command.add_option("--states", a.states, "folder that keeps the start states, for other programs and later calls")
       ->check(possible_name);
   command.add_flag("--ceiling", a.ceiling, "cost of a bond in cache beside its arithmetic; no scenes but those named");
+  command.add_flag("--growth", a.growth, "cost of S2r by its size, from 1000 particles on; no scenes but those named");
   command.add_flag("--states-only", a.states_only, "write the start states and measure nothing");
   command.add_flag("--json", a.json, "one JSON document on standard output");
 }

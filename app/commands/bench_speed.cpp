@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/ceiling/ceiling.hpp"
+#include "app/bench/speed/growth.hpp"
 #include "app/bench/speed/own_process.hpp"
 #include "app/bench/speed/report.hpp"
 #include "app/bench/speed/state_files.hpp"
@@ -53,7 +54,7 @@ std::vector<SpeedScene> chosen(const BenchSpeedArguments& a) {
   std::vector<SpeedScene> scenes;
   for (const std::string& name : a.scenes) scenes.push_back(scene_named(name));
   for (const SpeedScene& scene : speed_scenes())
-    if (a.scenes.empty() && !a.ceiling && !scene.asked_only && !(a.states_only && scene.make == nullptr))
+    if (a.scenes.empty() && !a.ceiling && !a.growth && !scene.asked_only && !(a.states_only && scene.make == nullptr))
       scenes.push_back(scene);
   for (SpeedScene& scene : scenes) {
     if (scene.make == nullptr && !a.scenes.empty() && (a.seed || a.particles || a.states_only))
@@ -86,11 +87,21 @@ int write_states(const std::vector<SpeedScene>& scenes, const SpeedPlan& plan) {
 /// Of a run of all scenes, or where it is asked for.
 nlohmann::ordered_json ceilings_of(const BenchSpeedArguments& a, const SpeedPlan& plan) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  if (!a.ceiling && !a.scenes.empty()) return all;
+  if (!a.ceiling && (a.growth || !a.scenes.empty())) return all;
   const std::vector<BondCeiling> ceilings = measure_bond_ceiling(plan.precisions);
   if (!a.json) print(ceilings);
   for (const BondCeiling& ceiling : ceilings) all.push_back(to_json(ceiling));
   return all;
+}
+
+nlohmann::ordered_json growth_in(const BenchSpeedArguments& a, const SpeedPlan& plan) {
+  if (!a.growth) return {};
+  std::vector<SpeedResult> results;
+  for (const SpeedScene& scene : growth_scenes(a.particles.value_or(1000000)))
+    for (const SpeedResult& result : measure(scene, plan)) results.push_back(result);
+  const std::vector<GrowthRow> rows = growth_of(results);
+  if (!a.json) print(rows);
+  return to_json(rows);
 }
 
 }  // namespace
@@ -111,9 +122,10 @@ int bench_speed_command(const BenchSpeedArguments& a) {
       else
         print(result);
     }
-  const nlohmann::ordered_json ceilings = ceilings_of(a, plan);
+  const nlohmann::ordered_json growth = growth_in(a, plan), ceilings = ceilings_of(a, plan);
   if (a.json) {
     nlohmann::ordered_json all{{"scenes", measured}, {"bond_ceiling", ceilings}};
+    if (a.growth) all["growth"] = growth;
     all["machine"] = processor_name();
     all["git"] = version::git;
     std::cout << all.dump(1) << "\n";
