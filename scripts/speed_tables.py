@@ -18,7 +18,7 @@ GROUPS = {
     "rocks advanced: sums, moves, bonds": ("advance rocks", "bonds of large rocks"),
     "pair forces": ("pair forces",),
     "wall forces": ("wall forces",),
-    "sums for the ledger": ("sum bonds", "sum particles", "book walls"),
+    "sums for the ledger": ("sum bonds", "sum contacts", "sum particles", "book walls"),
 }
 LISTS = ("bounds", "carry", "cell", "count", "crowd", "ends", "extent", "find", "levels", "list", "sort", "speeds")
 

@@ -129,9 +129,13 @@ GYRO_HD inline double cheapest_steps(double g, double look, double make) {
 /// the neighbours if lists are to hold for T steps. In units of the cost of a look at a pair, choosing a pair again
 /// costs 12, a look at a candidate meanwhile 1, and finding a candidate 10: of one core in S1 (tests/bench). No bit
 /// depends on them.
+///
+/// T is less than 1/(2 g): however fast all particles are, their ways are half a radius in close and a radius in wide
+/// bounds on average, as long as that is more than one step. So particles that fall together do not fill the memory
+/// with pairs of which none touches.
 GYRO_HD inline ListSteps steps_of_lists(double radii_in_step) {
   const double g = larger(radii_in_step, 1e-6);
-  const double close = smaller(larger(cheapest_steps(g, 1, 12), 3.0), 60.0);
+  const double close = smaller(larger(cheapest_steps(g, 1, 12), 1.0), 60.0);
   return {smaller(larger(cheapest_steps(g, 1 / close, 10), 2 * close), 400.0), close};
 }
 

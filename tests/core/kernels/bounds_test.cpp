@@ -105,6 +105,15 @@ TEST_CASE("Lists hold for the numbers of steps that cost least", "[kernels]") {
   }
   CHECK(steps_of_lists(0).close == 60);
   CHECK(steps_of_lists(0).wide == 400);
-  CHECK(steps_of_lists(10).close == 3);
-  CHECK(steps_of_lists(10).wide == 6);
+  CHECK(steps_of_lists(10).close == 1);
+  CHECK(steps_of_lists(10).wide == 2);
+}
+
+TEST_CASE("Bounds stay within half a radius and a radius on average, however fast all particles are", "[kernels]") {
+  for (double g = 1e-4; g < 0.5; g *= 1.1) {
+    CAPTURE(g);
+    const ListSteps steps = steps_of_lists(g);
+    CHECK(g * steps.close <= 0.5);
+    CHECK(g * steps.wide <= 1);
+  }
 }
