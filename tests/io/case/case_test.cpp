@@ -116,6 +116,19 @@ TEST_CASE("The shipped profiles have the dimensions of the machine") {
     CHECK(std::abs(b[k].concave_radius - a[k].concave_radius / 8) <= 0.6e-6);  // both are written to the micrometre
 }
 
+// Stresses / 8 and stiffnesses per area / 1 by Froude's rule, and all of them x 2.
+TEST_CASE("The quickstart's rock is twice as strong and as stiff as that of the large machine at 1:8") {
+  const gyro::Case large = load(GYRO_CASES "/mkii-62-75/case.yaml"), small = load(GYRO_CASES "/quickstart.yaml");
+  const gyro::BondParameters &a = large.bonds->parameters, &b = small.bonds->parameters;
+  CHECK(b.normal_stiffness == Approx(2 * a.normal_stiffness));
+  CHECK(b.shear_stiffness == Approx(2 * a.shear_stiffness).epsilon(2e-3));  // 667 GPa/m there is rounded
+  CHECK(b.tensile_strength == Approx(a.tensile_strength / 4));
+  CHECK(b.shear_strength == Approx(a.shear_strength / 4));
+  REQUIRE(large.materials[0].name == "rock");
+  REQUIRE(small.materials[0].name == "rock");
+  CHECK(small.materials[0].shear_modulus == Approx(large.materials[0].shear_modulus / 4).epsilon(2e-3));
+}
+
 TEST_CASE("A key that a case leaves out is absent or has its documented default") {
   const TemporaryFile file(smallest);
   const gyro::Case c = load(file.path);
