@@ -224,7 +224,9 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::keep_excess() {
-  if (!monitor_.has_excess()) monitor_.keep_excess(sums().extremes(true));
+  if (monitor_.has_excess()) return;
+  const SceneSums<Exec, Real> all = sums();
+  monitor_.keep_excess(all.extremes(all.particles(), all.contacts(), all.bonds()));
 }
 
 }  // namespace gyro
