@@ -182,7 +182,7 @@ Assembly assemble(const Case& input, const AssemblyRequest& request) {
   }
   if (input.crusher && input.crusher->lid) check_lid(*input.crusher->lid, out.setup);
   for (std::string& note : reach_notes(input, out.setup, end)) out.notes.push_back(std::move(note));
-  out.expected = expected_counts(out.setup, out.step, end);
+  out.expected = expected_counts(out.setup, out.step, input.numerics.precision, end);
   check_steps(out.expected, input, out.step, request.until);
   for (std::string& note : check_counts(out.expected, out.setup)) out.notes.push_back(std::move(note));
   return out;

@@ -16,7 +16,6 @@ constexpr double max_steps = 1e15;            // counted exactly by 64 bits and 
 constexpr double share_of_memory = 0.9;       // the rest is for walls, output and the system
 constexpr const char* advice =
     "; raise the smallest size of the rock (check its unit), feed less, or use fewer particles a rock";
-constexpr double bytes_per_particle = 700, bytes_per_bond = 70;
 
 /// Rock that the feed draws on average: kinds are drawn with probability proportional to 1/mass.
 struct MeanRock {
@@ -66,7 +65,7 @@ void add_feed(ExpectedCounts& counts, const FeedPlan& plan, const RockLibrary& l
 std::string counted(const ExpectedCounts& counts) {
   char text[160];
   std::snprintf(text, sizeof text, "%.3g rocks with %.3g particles and %.3g bonds at the start, about %.3g GB",
-                counts.rocks, counts.particles, counts.bonds, expected_bytes(counts.particles, counts.bonds) / 1e9);
+                counts.rocks, counts.particles, counts.bonds, counts.bytes_at_start / 1e9);
   return text;
 }
 
@@ -92,7 +91,7 @@ std::vector<std::string> check_memory(const ExpectedCounts& counts, const Setup&
   if (counts.window_bytes > allowed)
     throw BadKey("coupling.interval", "the positions of the walls in the steps of a coupling interval take " +
                                           in_words(counts.window_bytes / 1e9) + " GB: " + too_much + "; shorten it");
-  if (expected_bytes(counts.particles, counts.bonds) + counts.window_bytes > allowed)
+  if (counts.bytes_at_start + counts.window_bytes > allowed)
     throw BadKey(setup.feed ? "feed" : "particles", found + ": " + too_much + advice);
   if (!(counts.bytes > allowed)) return {};
   const std::string at_end = "by the end of the run the feed adds " + in_words(counts.fed_particles) +
@@ -104,11 +103,7 @@ std::vector<std::string> check_memory(const ExpectedCounts& counts, const Setup&
 
 }  // namespace
 
-double expected_bytes(double particles, double bonds) {
-  return bytes_per_particle * particles + bytes_per_bond * bonds;
-}
-
-ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, double duration) {
+ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, Precision precision, double duration) {
   const Scene& scene = setup.scene;
   ExpectedCounts counts;
   counts.steps = duration / step.dt;
@@ -121,7 +116,8 @@ ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, doubl
     add_feed(counts, *setup.feed, setup.library, mean_rock(setup.library, density), duration);
   }
   if (!scene.bonds) counts.bonds = counts.fed_bonds = 0;  // rocks fall apart
-  counts.bytes = expected_bytes(counts.particles + counts.fed_particles, counts.bonds + counts.fed_bonds);
+  counts.bytes_at_start = expected_bytes(counts.particles, counts.bonds, precision);
+  counts.bytes = expected_bytes(counts.particles + counts.fed_particles, counts.bonds + counts.fed_bonds, precision);
   return counts;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/assembly/expected_bytes.hpp"
 #include "app/assembly/free_memory.hpp"
 #include "app/simulation/setup.hpp"
 #include "app/simulation/time_step.hpp"
@@ -20,14 +21,12 @@ struct ExpectedCounts {
   double fed_rocks = 0, fed_particles = 0, fed_bonds = 0;  ///< by the feed's rate over the run
   double steps = 0;
   double window_bytes = 0;  ///< of the poses of the walls in the steps of a coupling interval
+  double bytes_at_start = 0;
   double bytes = 0;  ///< of the start and of what the rate feeds, if all of it finds room and nothing is discharged
 };
 
-/// Bytes of particles and bonds with their lists and histories; quickstart: 1.78 MB for 2041 and 5037.
-double expected_bytes(double particles, double bonds);
-
 /// @param duration  of the run [s]
-ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, double duration);
+ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, Precision precision, double duration);
 
 /// Refuses more steps than can be counted.
 /// @param until  end of the run in place of time.duration [s]

@@ -98,8 +98,8 @@ Estimate estimate(const Case& input, const Assembly& assembly, int threads) {
   const double start = batch ? std::max(expected.particles, double(e.particles)) : double(e.particles);
   e.particles_at_end = std::llround(start + expected.fed_particles);
   const double bonds = batch ? std::max(expected.bonds, double(e.bonds)) : double(e.bonds);
-  e.bytes_at_start = expected_bytes(start, bonds);
-  e.bytes = expected_bytes(double(e.particles_at_end), bonds + expected.fed_bonds);
+  e.bytes_at_start = expected_bytes(start, bonds, input.numerics.precision);
+  e.bytes = expected_bytes(double(e.particles_at_end), bonds + expected.fed_bonds, input.numerics.precision);
   // A step takes time in proportion to the particles; what the rate feeds in a trial is too little to count.
   const double average = 0.5 * (start + double(e.particles_at_end));
   const auto tried = static_cast<double>(batch ? trial.particles : trial.start.particles);
@@ -126,10 +126,11 @@ void add_figures(nlohmann::json& out, const Estimate& e) {
 
 /// The most that a run can need: how much of the feed is in the chamber at a time shows only in a run.
 void print_memory(const Estimate& e) {
-  std::printf("memory         about %s bytes", format_count(e.bytes).c_str());
+  std::printf("memory         about %s bytes of rock", format_count(e.bytes).c_str());
   if (e.bytes > e.bytes_at_start)
     std::printf(" if all the feed finds room and nothing is discharged, %s at the start",
                 format_count(e.bytes_at_start).c_str());
+  std::printf("; a run takes some 40 M besides");
   if (const FreeMemory free = free_memory(); std::isfinite(free.bytes))
     std::printf("; %s is %s", free.what.c_str(), format_count(free.bytes).c_str());
   std::printf("\n");

@@ -152,8 +152,9 @@ void Simulation::close_balances(const WindowResult& result) {
   const double length = result.window.length();
   std::vector<Vec3d> impulses{(state_.mass_inside * length) * setup_.scene.gravity};
   for (const WallLoad& wall : result.walls) impulses.push_back(-length * wall.force);
-  momentum_.close(dem_->momentum(), impulses);
-  verdict_ = ledger_.close(time(), dem_->energy(), dem_->extremes());
+  const Balance now = dem_->balance();
+  momentum_.close(now.momentum, impulses);
+  verdict_ = ledger_.close(time(), now.energy, now.extremes);
 }
 
 void Simulation::open_balances() {

@@ -24,8 +24,9 @@ void DemSolver<Exec, Real>::insert(std::span<const NewRock> rocks) {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::remove(std::span<const ParticleId> ids) {
   if (ids.empty()) return;
-  const EnergyTerms before = energy();
+  const EnergyTerms& booked = monitor_.energies();
   const BondSums bonds_before = sums().bonds();
+  const EnergyTerms before = sums().energy(booked, sums().particles(), sums().contacts(), bonds_before);
   const Remaining remaining(Exec::host(rock_.particles().id), ids);
   monitor_.book_losses(Exec::host(rock_.particles().losses), remaining);
   lists_.keep(remaining);
@@ -36,14 +37,23 @@ void DemSolver<Exec, Real>::remove(std::span<const ParticleId> ids) {
   const BondSums bonds_after = sums().bonds();
   monitor_.counts().bonds_intact -= bonds_before.intact - bonds_after.intact;
   monitor_.add_bonds_in_step(bonds_after.in_step - bonds_before.in_step);
-  const EnergyTerms after = energy();
+  const EnergyTerms after = sums().energy(booked, sums().particles(), sums().contacts(), bonds_after);
   const auto state = [](const EnergyTerms& e) { return e.kinetic + e.potential + e.contact_elastic + e.bond_elastic; };
   monitor_.energies().exchanged -= state(before) - state(after);
 }
 
 template <class Exec, class Real>
-Extremes DemSolver<Exec, Real>::extremes() const {
-  Extremes x = monitor_.worst(sums().extremes(false));
+Balance DemSolver<Exec, Real>::balance() const {
+  const ParticleSums particles = sums().particles();
+  const ContactSums contacts = sums().contacts();
+  return {.energy = sums().energy(monitor_.energies(), particles, contacts, sums().bonds()),
+          .extremes = extremes(particles, contacts),
+          .momentum = particles.momentum};
+}
+
+template <class Exec, class Real>
+Extremes DemSolver<Exec, Real>::extremes(const ParticleSums& particles, const ContactSums& contacts) const {
+  Extremes x = monitor_.worst(sums().extremes(particles, contacts));
   if (lists_.smallest_radius() > 0 && walls_.largest_step() > 0) {
     x.wall_step = walls_.largest_step() / lists_.smallest_radius();
     x.fast_wall = walls_.fastest();

@@ -38,9 +38,9 @@ class NeighbourLists {
 
   /// Seeks candidates, pairs and walls.
   /// @param dt          step of the scene [s]
-  /// @param wall_steps  distance that each wall moves in a step [m]
+  /// @param wall_steps  of each wall
   /// @throws StoppedByGuard when particles crowd or there are too many pairs
-  void rebuild(Exec& exec, Store& rock, const WallsNow& walls, double dt, const std::vector<double>& wall_steps) {
+  void rebuild(Exec& exec, Store& rock, const WallsNow& walls, double dt, const std::vector<WallStep>& wall_steps) {
     const Index particles = rock.count();
     look_at(exec.template reduce<Flock>("sum speeds", particles, FlockOf{rock.read()}), particles, dt);
     set_wall_ways(wall_steps);
@@ -100,17 +100,17 @@ class NeighbourLists {
     steps_ = steps_of_lists(dt * (flock.radii_in_time / particles + speed_ / mean_radius_));
   }
 
-  /// A wall that moves by more than some radii in a step makes the lists stale in each. Particles with sub-steps see
-  /// walls half a step earlier, which is less than any way.
-  void set_wall_ways(const std::vector<double>& wall_steps) {
+  /// A wall that moves by more than some radii in a step makes the lists stale in each; one without bounds may move as
+  /// far as in any step, and is listed for all particles. Particles with sub-steps see walls half a step earlier, which
+  /// is less than any way.
+  void set_wall_ways(const std::vector<WallStep>& wall_steps) {
     wall_ways_.clear();
-    for (const double step : wall_steps) {
-      const double expected = (steps_.wide + 1) * step;
-      const bool everywhere = step > 1e3 * mean_radius_;  // a plane that rotates: as far as particles may be
+    for (const WallStep& step : wall_steps) {
+      const double expected = (steps_.wide + 1) * step.way;
       const double wanted = given_way_ > 0 ? given_way_
-                            : everywhere   ? expected
-                                           : smaller(expected, max_way * mean_radius_);
-      wall_ways_.push_back(larger(wanted, step));
+                            : step.bounded ? smaller(expected, max_way * mean_radius_)
+                                           : expected;
+      wall_ways_.push_back(larger(wanted, step.way));
     }
     Exec::upload(device_wall_ways_, wall_ways_);
   }

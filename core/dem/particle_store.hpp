@@ -5,6 +5,7 @@
 #include "core/dem/arrivals.hpp"
 #include "core/dem/removal.hpp"
 #include "core/exec/block_launch.hpp"
+#include "core/kernels/spent_rocks.hpp"
 #include "core/state/pieces.hpp"
 
 #include <numeric>
@@ -85,6 +86,27 @@ class ParticleStore {
         },
         particles_);
     reindex();
+  }
+
+  /// Makes spent rocks (kernels/spent_rocks.hpp) loose particles: they take the step of the scene and have no bonds.
+  /// Between windows only.
+  /// @param dt       step of the scene [s]
+  /// @param gravity  [m/s2]
+  void loosen_spent_rocks(Exec& exec, double dt, const Vec3d& gravity) {
+    const Index rocks = static_cast<Index>(blocks_.size());
+    bonded_.resize(blocks_.size());
+    const SpentRocks spent{blocks_.data(), bonded_.data()};
+    exec.for_each("spent rocks", rocks, ClearBonded{bonded_.data()});
+    exec.for_each("spent rocks", bond_count(),
+                  MarkBonded{bonds_.i.data(), bonds_.state.data(), particles_.block.data(), bonded_.data()});
+    if (exec.template reduce<Index>("spent rocks", rocks, spent) == 0) return;
+    exec.for_each("spent rocks", count(), LoosenSpent{view(), spent, gravity, dt});
+    std::vector<Block> blocks = Exec::host(blocks_);
+    const auto& bonded = Exec::host(bonded_);
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+      if (is_spent(blocks[k], bonded[k])) blocks[k].first_bond = blocks[k].end_bond, blocks[k].substeps = 1;
+    Exec::upload(blocks_, std::move(blocks));
+    index_pieces();
   }
 
   void save(SavedState& to) const {
@@ -199,8 +221,9 @@ class ParticleStore {
   Particles<Buffer> particles_;
   Bonds<Buffer, Real> bonds_;
   Buffer<Block> blocks_;
-  Buffer<Index> colour_begin_;                              ///< Colours::begin
-  std::vector<std::int32_t> colour_starts_;                 ///< Colours::starts
+  Buffer<Index> colour_begin_;               ///< Colours::begin
+  std::vector<std::int32_t> colour_starts_;  ///< Colours::starts
+  Buffer<std::int32_t> bonded_;  ///< of each block, as in SpentRocks; between the kernels of loosen_spent_rocks()
   Buffer<Index> bond_row_begin_, bond_row_, bond_partner_;  ///< BondIndex
   Buffer<Piece> pieces_, large_rows_;                       ///< Pieces
   Buffer<Part> parts_;                                      ///< Pieces

@@ -46,23 +46,22 @@ struct SceneSums {
   }
 
   /// @param booked  energies of what has left, of events and of walls
-  EnergyTerms energy(const EnergyTerms& booked) const {
-    const ParticleSums sums = particles();
+  EnergyTerms energy(const EnergyTerms& booked) const { return energy(booked, particles(), contacts(), bonds()); }
+  static EnergyTerms energy(const EnergyTerms& booked, const ParticleSums& sums, const ContactSums& contact,
+                            const BondSums& bond) {
     EnergyTerms e = booked;
     e.kinetic = sums.kinetic;
     e.potential = sums.potential;
-    e.contact_elastic = contacts().elastic;
-    e.bond_elastic = bonds().elastic;
+    e.contact_elastic = contact.elastic;
+    e.bond_elastic = bond.elastic;
     e.contact_damping += sums.lost.contact_damping;
     e.friction += sums.lost.contact_slip + sums.lost.bond_slip;
     e.bond_damping += sums.lost.bond_damping;
     return e;
   }
 
-  Extremes extremes(bool with_bonds) const {
-    const ParticleSums sums = particles();
-    const ContactSums contact = contacts();
-    const BondSums bond = with_bonds ? bonds() : BondSums{};
+  /// @param bond  none: their rotation is not looked at
+  Extremes extremes(const ParticleSums& sums, const ContactSums& contact, const BondSums& bond = {}) const {
     Extremes x;
     x.finite = sums.not_finite == 0;
     x.culprit = x.finite ? contact.culprit : sums.culprit;

@@ -42,7 +42,8 @@ class DemSolver final : public Dem {
   std::vector<WallPose> wall_poses() const override { return walls_.poses(); }
   std::vector<WallLoad> wall_loads() const override { return accounts_.loads(); }
   EnergyTerms energy() const override { return sums().energy(monitor_.energies()); }
-  Extremes extremes() const override;
+  Extremes extremes() const override { return extremes(sums().particles(), sums().contacts()); }
+  Balance balance() const override;
   Counts counts() const override;
   Vec3d momentum() const override { return sums().particles().momentum; }
   ParticleSnapshot particles() const override { return particle_snapshot(exec_, rock_, scene_.gravity); }
@@ -80,6 +81,7 @@ class DemSolver final : public Dem {
   void prime();
   void close_window(const Window& window);
   void keep_excess();
+  Extremes extremes(const ParticleSums& particles, const ContactSums& contacts) const;
 
   SceneSums<Exec, Real> sums() const { return {exec_, scene_, laws_, rock_, lists_, walls_.now()}; }
   typename WallAccounts<Exec>::Rock where_rock_is() const { return {rock_.particles().position, rock_.particles().id}; }

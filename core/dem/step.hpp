@@ -30,6 +30,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path) {
   GYRO_EXPECT(window.dt == scene_.dt && window.steps > 0);
   walls_.plan(scene_.walls, window, path);
+  if (held()) rock_.loosen_spent_rocks(exec_, scene_.dt, scene_.gravity);
   monitor_.begin_window();
   ahead_.begin_window();
   accounts_.begin_window(walls_.poses());
@@ -225,7 +226,9 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::keep_excess() {
-  if (!monitor_.has_excess()) monitor_.keep_excess(sums().extremes(true));
+  if (monitor_.has_excess()) return;
+  const SceneSums<Exec, Real> all = sums();
+  monitor_.keep_excess(all.extremes(all.particles(), all.contacts(), all.bonds()));
 }
 
 }  // namespace gyro

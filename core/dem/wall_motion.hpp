@@ -35,7 +35,7 @@ class WallMotion {
       for (std::size_t w = 0; w < count; ++w) table_[static_cast<std::size_t>(k) * count + w] = pose_after(k, w);
     find_fastest(walls, window.dt);
     steps_.clear();
-    for (std::size_t w = 0; w < count; ++w) steps_.push_back(moved(w, table_[w], table_[count + w]));
+    for (std::size_t w = 0; w < count; ++w) steps_.push_back(step_of(w, table_[w], table_[count + w]));
     upload_table();
     go_to_step(0);
   }
@@ -53,7 +53,7 @@ class WallMotion {
   /// For kernels.
   WallsNow now() const { return {surfaces_.data(), device_poses_, surfaces_.count()}; }
   const std::vector<WallPose>& poses() const { return poses_now_; }
-  const std::vector<double>& steps() const { return steps_; }  ///< distance that each wall moves in a step [m]
+  const std::vector<WallStep>& steps() const { return steps_; }  ///< of each wall
   /// Largest distance that a wall moves in a step, without planes and rotation about a profile's axis [m].
   double largest_step() const { return largest_step_; }
   Index fastest() const { return fastest_; }  ///< the wall that does
@@ -82,11 +82,18 @@ class WallMotion {
   }
 
  private:
+  /// Twice the sine of half the angle between two poses: 0 if and only if the wall has not rotated.
+  static double rotated(const WallPose& from, const WallPose& to) {
+    const Quatd rotation = to.orientation * conjugate(from.orientation);
+    return 2 * norm(Vec3d{rotation.x, rotation.y, rotation.z});
+  }
   /// How far the points of a wall move from one pose to another, at most [m].
   double moved(std::size_t wall, const WallPose& from, const WallPose& to) const {
-    const Quatd rotated = to.orientation * conjugate(from.orientation);
-    const double angle = 2 * norm(Vec3d{rotated.x, rotated.y, rotated.z});
+    const double angle = rotated(from, to);
     return norm(to.origin - from.origin) + (angle > 0 ? surfaces_.extent(wall) * 1.6 * angle : 0.0);
+  }
+  WallStep step_of(std::size_t wall, const WallPose& from, const WallPose& to) const {
+    return {moved(wall, from, to), surfaces_.bounded(wall) || !(rotated(from, to) > 0)};
   }
   const WallPose* row_of(int step) const {
     const std::ptrdiff_t walls = surfaces_.count(), row = step * walls;
@@ -103,7 +110,7 @@ class WallMotion {
   bool moved_too_far(double early, const WallPose* poses) const {
     GYRO_EXPECT(listed_poses_.size() == poses_now_.size() && listed_ways_.size() == steps_.size());
     for (std::size_t w = 0; w < poses_now_.size(); ++w)
-      if (moved(w, listed_poses_[w], poses[w]) > listed_ways_[w] - early * steps_[w]) return true;
+      if (moved(w, listed_poses_[w], poses[w]) > listed_ways_[w] - early * steps_[w].way) return true;
     return false;
   }
 
@@ -121,7 +128,8 @@ class WallMotion {
   typename Exec::template Buffer<WallPose> device_table_;  ///< as upload_table() says
   const WallPose* device_poses_ = nullptr;                 ///< row of this step
   std::vector<WallPose> poses_now_, listed_poses_;
-  std::vector<double> steps_, listed_ways_;
+  std::vector<WallStep> steps_;
+  std::vector<double> listed_ways_;
   double largest_step_ = 0;
   Index fastest_ = none;
 };

@@ -25,15 +25,13 @@ class WallSurfaces {
   const WallSurface* data() const { return surfaces_.data(); }
   Index count() const { return static_cast<Index>(extents_.size()); }
   double extent(std::size_t wall) const { return extents_[wall]; }
+  bool bounded(std::size_t wall) const { return extents_[wall] < endless; }
 
  private:
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
 
-  WallSurface stored(const PlaneShape& plane) {
-    // The motion of a rotating plane has no bound: it is listed for all particles.
-    return {WallKind::plane, plane, {}, {}, 1e12};
-  }
+  WallSurface stored(const PlaneShape& plane) { return {WallKind::plane, plane, {}, {}, endless}; }
   WallSurface stored(const ProfileShape& shape) {
     const ProfileSurface made(shape);
     ProfileView view = made.view();

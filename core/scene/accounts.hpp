@@ -107,6 +107,13 @@ struct Extremes {
   Index fast_wall = none;  ///< of the largest wall_step
 };
 
+/// What the ledger and the guard look at when a window is closed.
+struct Balance {
+  EnergyTerms energy;
+  Extremes extremes;
+  Vec3d momentum;  ///< [kg m/s]
+};
+
 /// Counts of live things.
 struct Counts {
   std::int64_t particles = 0, bonds_intact = 0, broken_tension = 0, broken_shear = 0;

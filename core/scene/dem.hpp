@@ -43,7 +43,9 @@ class Dem {
   virtual EnergyTerms energy() const = 0;                ///< now
   virtual Extremes extremes() const = 0;                 ///< now
   virtual Counts counts() const = 0;
-  virtual Vec3d momentum() const = 0;                  ///< [kg m/s]
+  virtual Vec3d momentum() const = 0;  ///< [kg m/s]
+  /// energy(), extremes() and momentum() of now, to the bit; a solver adds up the scene once for all of them.
+  virtual Balance balance() const { return {energy(), extremes(), momentum()}; }
   virtual ParticleSnapshot particles() const = 0;      ///< now, fragments labelled
   virtual BondSnapshot bonds() const = 0;              ///< now
   virtual std::vector<Breakage> take_breakages() = 0;  ///< since the last call, ordered by time, i, j

@@ -66,7 +66,7 @@ static_assert(block_broken == 1);
 /// thread (CPU) or a thread block (GPU) owns a rock.
 struct Block {
   Index first_particle, end_particle;
-  Index first_bond, end_bond;      ///< end is padded to bond_alignment
+  Index first_bond, end_bond;      ///< end is padded to bond_alignment; none once the rock is spent (spent_rocks.hpp)
   Index first_colour, end_colour;  ///< range in the array of colour begins
   RockId rock;
   std::int32_t state;     ///< BlockState

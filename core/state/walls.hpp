@@ -11,13 +11,22 @@ namespace gyro {
 
 enum class WallKind : std::int32_t { plane, profile, mesh };
 
+/// Extent of a surface that has no end: more than any distance of particles [m].
+inline constexpr double endless = 1e12;
+
 /// The shape of a wall as kernels see it.
 struct WallSurface {
   WallKind kind;
   PlaneShape plane;
   ProfileView profile;
   MeshView mesh;
-  double extent;  ///< largest distance of the surface from the body's origin, 0 for a plane [m]
+  double extent;  ///< largest distance of the surface from the body's origin; `endless` for a plane [m]
+};
+
+/// How far the points of a wall move in a step.
+struct WallStep {
+  double way;    ///< at most [m]
+  bool bounded;  ///< false: a wall without an end that rotates; the further away, the further its points move
 };
 
 /// The walls of a scene as they stand in this step.

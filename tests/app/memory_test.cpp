@@ -102,7 +102,8 @@ ExpectedCounts counts_of(double start, double fed) {
   ExpectedCounts counts;
   counts.rocks = counts.particles = start;
   counts.fed_rocks = counts.fed_particles = fed;
-  counts.bytes = expected_bytes(start + fed, 0);
+  counts.bytes_at_start = expected_bytes(start, 0, Precision::mixed);
+  counts.bytes = expected_bytes(start + fed, 0, Precision::mixed);
   return counts;
 }
 
@@ -111,20 +112,20 @@ ExpectedCounts counts_of(double start, double fed) {
 TEST_CASE("A start that exceeds the free memory is refused with what limits it") {
   Setup setup;
   setup.feed.emplace();
-  const FreeMemory memory{expected_bytes(1e6, 0), "what a test leaves"};
+  const FreeMemory memory{expected_bytes(1e6, 0, Precision::mixed), "what a test leaves"};
   CHECK(check_counts(counts_of(0.8e6, 0), setup, memory).empty());
   ExpectedCounts long_window = counts_of(1e3, 0);
   long_window.window_bytes = memory.bytes;
   CHECK_THROWS_WITH(check_counts(long_window, setup, memory),
-                    Contains("a coupling interval take 0.7 GB") && Contains("more than 0.9 of what a test leaves"));
+                    Contains("a coupling interval take 1.34 GB") && Contains("more than 0.9 of what a test leaves"));
   CHECK_THROWS_WITH(check_counts(counts_of(0.95e6, 0), setup, memory),
-                    Contains("more than 0.9 of what a test leaves, 0.7 GB"));
+                    Contains("more than 0.9 of what a test leaves, 1.34 GB"));
 }
 
 TEST_CASE("A feed that adds more than the free memory is noted, since not all of it may find room") {
   Setup setup;
   setup.feed.emplace();
-  const FreeMemory memory{expected_bytes(1e6, 0), "what a test leaves"};
+  const FreeMemory memory{expected_bytes(1e6, 0, Precision::mixed), "what a test leaves"};
   CHECK(check_counts(counts_of(0.1e6, 0.7e6), setup, memory).empty());
   const ExpectedCounts much = counts_of(0.1e6, 0.9e6);
   const auto note = [&] {
@@ -132,8 +133,8 @@ TEST_CASE("A feed that adds more than the free memory is noted, since not all of
     REQUIRE(notes.size() == 1);
     return notes[0];
   };
-  CHECK_THAT(note(), Contains("the feed adds 9e+05 particles, about 0.7 GB in all, if all of it finds room (without a "
+  CHECK_THAT(note(), Contains("the feed adds 9e+05 particles, about 1.34 GB in all, if all of it finds room (without a "
                               "crusher nothing is removed): more than 0.9 of what a test leaves"));
   setup.discharge.emplace();
-  CHECK_THAT(note(), Contains("0.7 GB in all, if all of it finds room and nothing is discharged: more than 0.9"));
+  CHECK_THAT(note(), Contains("1.34 GB in all, if all of it finds room and nothing is discharged: more than 0.9"));
 }

@@ -65,3 +65,20 @@ TEST_CASE("Bonds of one colour that share a particle are refused", "[gpu]") {
   CHECK_THROWS_AS(dem->insert(rocks), BadInput);
   CHECK(dem->counts().particles == 0);
 }
+
+TEST_CASE("Energy, extremes and momentum of a window are read from one sum of each kind", "[gpu]") {
+  DeviceMemory::instance().forget();
+  DemSolver<Mirror, float> dem(breaking_scene(), Mirror{});
+  dem.insert(falling_rocks(0, 0, 0.045));
+  std::int64_t step = 0;
+  run(dem, breaking_dt, step, 1500, 150);
+  REQUIRE(dem.energy().contact_elastic > 0);
+  const std::int64_t before = Mirror::counts.reads;
+  const Balance all = dem.balance();
+  CHECK(Mirror::counts.reads - before == 4);  // particles, contacts, stiffest contacts, bonds
+  CHECK(same_bytes(std::vector{all.energy}, std::vector{dem.energy()}));
+  CHECK(same_extremes({all.extremes}, {dem.extremes()}));
+  CHECK(norm2(all.momentum - dem.momentum()) == 0);
+  CHECK(all.extremes.overlap_ratio > 0);
+  CHECK(norm2(all.momentum) > 0);
+}

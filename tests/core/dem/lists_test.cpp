@@ -4,6 +4,7 @@
 #include "app/verify/fixtures/scenes.hpp"
 #include "app/verify/fixtures/stage.hpp"
 #include "core/dem/neighbour_lists.hpp"
+#include "core/dem/wall_motion.hpp"
 #include "core/exec/cpu.hpp"
 #include "tests/catch.hpp"
 
@@ -44,15 +45,24 @@ TEST_CASE("Lists hold for tens of steps, whatever moves", "[dem]") {
   }
 }
 
-TEST_CASE("A wall that moves far in a step is listed further away than others", "[dem]") {
+TEST_CASE("A plane that rotates has no bound and is listed for as long as other walls, which are listed within one",
+          "[dem]") {
+  std::vector<Wall> walls{floor_plane(), floor_plane(), floor_mesh(1), floor_plane()};
+  walls[0].motion = RotationMotion{{0, 1, 0}, {0, 0, 0}, 1e-3};
+  walls[1].motion = LinearMotion{{0, 0, 1e9}};
+  walls[2].motion = RotationMotion{{0, 0, 1}, {0, 0, 0}, 1e3};
+  WallMotion<Cpu> motion(walls);
+  motion.plan(walls, {0, 1, 1e-6}, {});
+  REQUIRE(motion.steps().size() == 4);
+  for (std::size_t w = 0; w < 4; ++w) CHECK(motion.steps()[w].bounded == (w > 0));
+
   Cpu cpu(1);
   NeighbourLists<Cpu, float> lists(0, false, false);
   ParticleStore<Cpu, float> rock(false);
-  lists.rebuild(cpu, rock, {nullptr, nullptr, 0}, 1e-6, {1e10, 0, 1e-3});
-  REQUIRE(lists.wall_ways().size() == 3);
-  CHECK(lists.wall_ways()[0] > 1e11);
-  CHECK(lists.wall_ways()[1] == 0);
-  CHECK(lists.wall_ways()[2] < 1);
+  lists.rebuild(cpu, rock, {nullptr, nullptr, 0}, 1e-6, motion.steps());
+  REQUIRE(lists.wall_ways().size() == 4);
+  CHECK(lists.wall_ways()[0] > 100 * motion.steps()[0].way);  // for all particles, in a hundred steps
+  for (std::size_t w = 1; w < 4; ++w) CHECK(lists.wall_ways()[w] == motion.steps()[w].way);  // no radius: a step
 }
 
 TEST_CASE("A rock with sub-steps meets walls in the same step, whatever the skin", "[dem]") {
