@@ -76,8 +76,8 @@ struct BenchSpeedArguments {
   std::optional<int> particles;                 ///< likewise
   std::optional<int> warm_up, timed;            ///< steps; none: the scene's own
   std::optional<std::filesystem::path> states;  ///< folder that keeps start states; none: a temporary one
-  bool ceiling = false;  ///< of bonds; no scenes but those that are named
-  bool growth = false;   ///< of the cost of S2r with its size, up to `particles`; likewise
+  bool ceiling = false;                         ///< of bonds; no scenes but those that are named
+  bool growth = false;                          ///< of the cost of S2r with its size, up to `particles`; likewise
   bool states_only = false, json = false;
 };
 

@@ -3,10 +3,10 @@
 
 #include "core/dem/solver.hpp"
 #include "core/exec/cpu.hpp"
-#include "core/kernels/wide_bond_pack.hpp"
 #include "core/kernels/pair_pack.hpp"
 #include "core/kernels/particle_pack.hpp"
 #include "core/kernels/wall_pack.hpp"
+#include "core/kernels/wide_bond_pack.hpp"
 
 namespace gyro {
 
