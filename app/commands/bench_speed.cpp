@@ -97,8 +97,12 @@ nlohmann::ordered_json ceilings_of(const BenchSpeedArguments& a, const SpeedPlan
 nlohmann::ordered_json growth_in(const BenchSpeedArguments& a, const SpeedPlan& plan) {
   if (!a.growth) return {};
   std::vector<SpeedResult> results;
-  for (const SpeedScene& scene : growth_scenes(a.particles.value_or(1000000)))
+  for (SpeedScene scene : growth_scenes(a.particles.value_or(1000000))) {
+    scene.recipe.seed = a.seed.value_or(scene.recipe.seed);
+    scene.warm_up = a.warm_up.value_or(scene.warm_up);
+    scene.timed = a.timed.value_or(scene.timed);
     for (const SpeedResult& result : measure(scene, plan)) results.push_back(result);
+  }
   const std::vector<GrowthRow> rows = growth_of(results);
   if (!a.json) print(rows);
   return to_json(rows);
@@ -108,6 +112,9 @@ nlohmann::ordered_json growth_in(const BenchSpeedArguments& a, const SpeedPlan& 
 
 int bench_speed_command(const BenchSpeedArguments& a) {
   const std::vector<SpeedScene> scenes = chosen(a);
+  if (a.states_only && scenes.empty())
+    throw BadInput(
+        "--states-only writes the start states of scenes: name them with --scene, or leave out --growth and --ceiling");
   if (a.states_only && !a.states) throw BadInput("--states-only needs a folder to write into; give it with --states");
   std::optional<TemporaryFolder> temporary;
   if (!a.states) temporary.emplace();

@@ -98,7 +98,7 @@ class DemSolver final : public Dem {
   WallAccounts<Exec> accounts_;
   Monitor<Exec> monitor_;
   StepsAhead<Exec> ahead_;
-  typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this step; empty unless held()
+  typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this step, while held()
   GiveUp give_up_;                             ///< may be empty
   bool primed_ = false;                        ///< the particles have the loads of their present positions
 };

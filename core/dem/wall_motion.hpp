@@ -82,7 +82,7 @@ class WallMotion {
   }
 
  private:
-  /// Twice the sine of half the angle between two poses: 0 if and only if the wall has not rotated.
+  /// Twice the sine of half the angle between two poses: 0 only if the wall has not rotated, but for full turns.
   static double rotated(const WallPose& from, const WallPose& to) {
     const Quatd rotation = to.orientation * conjugate(from.orientation);
     return 2 * norm(Vec3d{rotation.x, rotation.y, rotation.z});

@@ -302,7 +302,7 @@ class Cpu {
         if (count < room) continue;
         for (int k = 0; k < room; k += lanes) kernel(typename Kernel::Pack{picked + k});
         count -= room;
-        std::copy(picked + room, picked + room + looks, picked);
+        std::copy_n(picked + room, count, picked);
       }
     }
     for (; i < range.end; ++i)

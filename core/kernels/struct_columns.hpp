@@ -43,10 +43,8 @@ template <template <class> class Struct, class Real>
 Struct<Pack<Real, 8>> joined(const Struct<Pack<Real, 4>>& low, const Struct<Pack<Real, 4>>& high) {
   constexpr int numbers = sizeof low / sizeof(Pack<Real, 4>);
   Struct<Pack<Real, 8>> out;
-  for (int c = 0; c < numbers; ++c)
-    store_vector(&out, c,
-                 __builtin_shufflevector(vector_at<Four<Real>>(&low, c), vector_at<Four<Real>>(&high, c), 0, 1, 2, 3, 4,
-                                         5, 6, 7));
+  const auto column = [](const auto& half, int c) { return Pack<Real, 4>{vector_at<Four<Real>>(&half, c)}; };
+  for (int c = 0; c < numbers; ++c) store_vector(&out, c, joined(column(low, c), column(high, c)).v);
   return out;
 }
 

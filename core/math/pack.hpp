@@ -168,10 +168,9 @@ Pack<To, N> lane_cast(Pack<From, N> a) {
 }
 
 /// Two packs side by side.
-template <class T, int N>
-Pack<T, 2 * N> joined(const Pack<T, N>& a, const Pack<T, N>& b) {
-  static_assert(N == 4);
-  return Pack<T, 2 * N>{__builtin_shufflevector(a.v, b.v, 0, 1, 2, 3, 4, 5, 6, 7)};
+template <class T>
+Pack<T, 8> joined(const Pack<T, 4>& a, const Pack<T, 4>& b) {
+  return Pack<T, 8>{__builtin_shufflevector(a.v, b.v, 0, 1, 2, 3, 4, 5, 6, 7)};
 }
 
 /// Number type of one lane.

@@ -56,8 +56,8 @@ struct Pieces {
 
 /// Particles in a piece without bonds.
 inline constexpr Index run_length = 128;
-/// Bonds from which on a rock is large: one thread's work on it would keep the others waiting, and its state does not
-/// stay in a core's cache.
+/// Bonds, rounded up to bond_alignment, from which on a rock is large: one thread's work on it would keep the others
+/// waiting, and its state does not stay in a core's cache.
 inline constexpr Index large_rock = 8192;
 /// @param bonds  of a rock, rounded up to bond_alignment or not
 constexpr bool is_large_rock(Index bonds) {

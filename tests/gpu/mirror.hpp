@@ -12,7 +12,6 @@
 #include <functional>
 #include <new>
 #include <numeric>
-#include <span>
 #include <stdexcept>
 
 // A device made of host memory: what the CUDA executor demands of the solver, on any machine.

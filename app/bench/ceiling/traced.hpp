@@ -162,14 +162,14 @@ struct TracedLane {
   }
   template <class T, class Row>
   Vec3<Traced<T>> vector(const Row* rows, Index row) const {
-    return lane_cast<T>(vector_at(rows + row));
+    return lane_cast<T>(vector_of(rows + row));
   }
   template <class T, class Row>
   Vec3<Traced<T>> difference(const Row* rows, Index a, Index b) const {
-    return lane_cast<T>(vector_at(rows + a) - vector_at(rows + b));
+    return lane_cast<T>(vector_of(rows + a) - vector_of(rows + b));
   }
   Quat<Traced<double>> quaternion(const Quatd* rows, Index row) const {
-    const Vec3<Traced<double>> v = vector_at(rows + row);
+    const Vec3<Traced<double>> v = vector_of(rows + row);
     return {Traced<double>::of(recorded->input(rows + row, 3)), v.x, v.y, v.z};
   }
   template <class Real>
@@ -203,7 +203,7 @@ struct TracedLane {
   }
 
  private:
-  static Vec3<Traced<double>> vector_at(const void* row) {
+  static Vec3<Traced<double>> vector_of(const void* row) {
     const auto part = [&](int k) { return Traced<double>::of(recorded->input(row, k)); };
     return {part(0), part(1), part(2)};
   }

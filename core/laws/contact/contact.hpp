@@ -74,11 +74,12 @@ struct NormalLoad {
   T spring;                ///< its elastic part: push - spring is the dashpot's [N]
   T stiffness;             ///< of the normal spring, now [N/m]
   T tangential_stiffness;  ///< of the tangential spring that belongs to it, now [N/m]
-  T stiffening;            ///< that over its value at the last step; of a new contact any number > 1 [-]
-  T tangential_damping;    ///< coefficient of the tangential dashpot [N s/m]
-  T dashpot;               ///< q of largest_dashpot(), without the cap [N s/m]
-  T unloading;             ///< factor on remembered tangential loads: falls with the stiffness [-]
-  T damped;                ///< work lost to hysteresis in this step [J]
+  T stiffening;  ///< that over its value at the last step; of a new contact any finite number, for it remembers no load
+                 ///< [-]
+  T tangential_damping;  ///< coefficient of the tangential dashpot [N s/m]
+  T dashpot;             ///< q of largest_dashpot(), without the cap [N s/m]
+  T unloading;           ///< factor on remembered tangential loads: falls with the stiffness [-]
+  T damped;              ///< work lost to hysteresis in this step [J]
 };
 
 /// Stiffnesses of a contact that limit the step, and the damping ratio of its dashpots.

@@ -30,9 +30,10 @@ NewRock with_diagonals() {
   return rock;
 }
 
-/// The block of the test above a floor: its lower layers break.
+/// A block above a floor: its lower layers break.
 NewRock falling_block() {
   NewRock block = placed(lattice(0, 15, {0.01, 0.004}), 0, 0, {0, 0, 0.0763}, rotation_about({1, 0, 0}, 0.02));
+  REQUIRE(is_large_rock(static_cast<Index>(block.bonds.size())));
   add_rigid_motion(block, {0, 0, -12}, {0, 0, 0});
   return block;
 }
@@ -42,14 +43,14 @@ struct End {
   std::vector<Breakage> breakages;
 };
 
-/// Two windows; in between the particles with ids 0, 7, 14, ... leave, and the scene is saved.
+/// Two windows; in between a layer of 15 x 15 particles leaves, and of the next one every seventh; the scene is saved.
 template <class Make>
 End after_removal(const Make& make) {
   auto dem = make();
   dem->insert(std::array{falling_block()});
   dem->advance({.first_step = 0, .steps = 30, .dt = breaking_dt}, {});
   std::vector<ParticleId> leaving;
-  for (ParticleId id = 0; id < 100; id += 7) leaving.push_back(id);
+  for (ParticleId id = 0; id < 450; id += id < 225 ? 1 : 7) leaving.push_back(id);
   dem->remove(leaving);
   const SavedState saved = dem->save();
   dem = make();
