@@ -41,15 +41,6 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-SpeedScene scene_named(const std::string& name) {
-  std::string known;
-  for (const SpeedScene& scene : speed_scenes()) {
-    if (scene.name == name) return scene;
-    known += (known.empty() ? "" : ", ") + scene.name;
-  }
-  throw BadInput("--scene " + name + ": there is no such scene; use one of " + known);
-}
-
 std::vector<SpeedScene> chosen(const BenchSpeedArguments& a) {
   std::vector<SpeedScene> scenes;
   for (const std::string& name : a.scenes) scenes.push_back(scene_named(name));

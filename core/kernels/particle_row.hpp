@@ -31,8 +31,8 @@ inline constexpr int native_lanes = 8;
 inline constexpr int native_lanes = 4;
 #endif
 
-/// Lanes of a pack of bonds or contacts whose loads are Real. With AVX2 half a register of single numbers would be
-/// empty otherwise; what is computed in double is then computed in halves of the pack.
+/// Lanes of a pack of bonds or contacts whose loads are Real. A register of AVX2 holds four doubles or eight single
+/// numbers: single loads are computed for eight, what needs double precision for four at a time.
 template <class Real>
 #if defined(__AVX__) && !defined(__AVX512F__)
 inline constexpr int load_lanes = sizeof(Real) == 4 ? 2 * native_lanes : native_lanes;

@@ -79,6 +79,7 @@ struct RowsOfFour {
       row[3] = __builtin_shufflevector(xy23, zw23, 2, 3, 6, 7);
     } else if constexpr (sizeof(T) == 4) {
       static_assert(N == 8);
+      // As with four, in each half of the register, which is one instruction of AVX2.
       // x0 y0 x1 y1 x4 y4 x5 y5, ...: rows 0 and 4, 1 and 5, 2 and 6, 3 and 7.
       const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 8, 1, 9, 4, 12, 5, 13),
                  xy23 = __builtin_shufflevector(x.v, y.v, 2, 10, 3, 11, 6, 14, 7, 15);

@@ -20,17 +20,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-SpeedScene scene_named(const std::string& name, int particles) {
-  for (SpeedScene scene : speed_scenes())
-    if (scene.name == name) {
-      if (particles > 0) scene.recipe.particles = particles;
-      return scene;
-    }
-  throw BadInput("no scene " + name);
+/// @param particles  0: as many as usual
+SpeedScene with_particles(const std::string& name, int particles) {
+  SpeedScene scene = scene_named(name);
+  if (particles > 0) scene.recipe.particles = particles;
+  return scene;
 }
 
 StartState small(const std::string& name, std::uint64_t seed = 7) {
-  const SpeedScene scene = scene_named(name, 1000);
+  const SpeedScene scene = with_particles(name, 1000);
   return scene.make({seed, 1000});
 }
 
@@ -121,7 +119,7 @@ TEST_CASE("A process of its own gives results and errors back") {
 
 TEST_CASE("A measurement has the same energies on two threads, and counts what it says") {
   const ScratchDirectory folder;
-  SpeedScene scene = scene_named("S2r", 2 * 136);
+  SpeedScene scene = with_particles("S2r", 2 * 136);
   scene.warm_up = 10, scene.timed = 40;
   const std::vector<SpeedResult> results =
       measure(scene, {.cases = GYRO_CASES, .states = folder.path(), .precisions = {Precision::double_}, .repeat = 3});
@@ -169,7 +167,7 @@ TEST_CASE("bench speed writes start states that run, and measures them") {
 
 TEST_CASE("Start states are kept for the same scene, and made again for another number of steps") {
   const ScratchDirectory folder;
-  SpeedScene scene = scene_named("S2r", 136);
+  SpeedScene scene = with_particles("S2r", 136);
   const fs::path file = write_start(scene, GYRO_CASES, folder.path()), table = file.parent_path() / "particles.csv";
   const std::string rows = read_text(table);
   std::ofstream(table) << "mark";
@@ -183,7 +181,7 @@ TEST_CASE("Start states are kept for the same scene, and made again for another 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they take memory of their own
 TEST_CASE("Bonded rock takes little memory, set-up included") {
   const ScratchDirectory folder;
-  const SpeedScene scene = scene_named("S2r", 0);
+  const SpeedScene scene = with_particles("S2r", 0);
   SpeedRun run{.file = write_start(scene, GYRO_CASES, folder.path()), .warm_up = 2, .timed = 2};
   run.precision = Precision::mixed;
   const SpeedMeasurement m = measurement_of(in_own_process([&] { return to_json(measure_speed(run)); }));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/speed/growth.hpp"
 
-#include "core/base/errors.hpp"
-
 #include <algorithm>
 #include <cstdio>
 #include <set>
@@ -13,15 +11,9 @@ namespace gyro::bench {
 namespace {
 
 constexpr int smallest = 1000, usual_largest = 1000000;  // particles, about
-constexpr int fewest = 20, most = 400;                   // timed steps
+constexpr int min_steps = 20, max_steps = 400;           // that are timed
 constexpr int warm_up = 20;                              // steps
 constexpr double timed_particle_steps = 1e7;
-
-SpeedScene rocks() {
-  for (const SpeedScene& scene : speed_scenes())
-    if (scene.name == "S2r") return scene;
-  throw BadInput("there is no scene S2r");
-}
 
 /// Rates of equal scenes with one thread over the present one; 0 if there is none.
 double speedup_of(const SpeedResult& result, std::span<const SpeedResult> results) {
@@ -43,10 +35,10 @@ std::set<std::pair<Precision, int>> settings_of(std::span<const GrowthRow> rows)
 std::vector<SpeedScene> growth_scenes(int largest) {
   std::vector<SpeedScene> scenes;
   for (int particles = smallest; particles <= std::min(largest, usual_largest); particles *= 10) {
-    SpeedScene scene = rocks();
+    SpeedScene scene = scene_named("S2r");
     scene.recipe.particles = particles;
     scene.warm_up = warm_up;
-    scene.timed = std::clamp(static_cast<int>(timed_particle_steps / particles), fewest, most);
+    scene.timed = std::clamp(static_cast<int>(timed_particle_steps / particles), min_steps, max_steps);
     scenes.push_back(scene);
   }
   return scenes;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/speed/scene.hpp"
 
+#include "core/base/errors.hpp"
+
 namespace gyro::bench {
 
 // The clock of S1 and S3 starts when the spheres have come together. F has as much rock as can be placed without
@@ -46,6 +48,15 @@ std::span<const SpeedScene> speed_scenes() {
        .asked_only = true},
   };
   return scenes;
+}
+
+SpeedScene scene_named(const std::string& name) {
+  std::string known;
+  for (const SpeedScene& scene : speed_scenes()) {
+    if (scene.name == name) return scene;
+    known += (known.empty() ? "" : ", ") + scene.name;
+  }
+  throw BadInput("--scene " + name + ": there is no such scene; use one of " + known);
 }
 
 }  // namespace gyro::bench

@@ -25,4 +25,7 @@ struct SpeedScene {
 /// S1, S2, S2r, S3, Q, C and F.
 std::span<const SpeedScene> speed_scenes();
 
+/// @throws BadInput, with the names that there are, for another name
+SpeedScene scene_named(const std::string& name);
+
 }  // namespace gyro::bench
