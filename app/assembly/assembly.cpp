@@ -2,6 +2,7 @@
 #include "app/assembly/assembly.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/levels.hpp"
 #include "app/assembly/lid.hpp"
 #include "app/assembly/mesh_checks.hpp"
 #include "app/assembly/reach.hpp"
@@ -84,10 +85,11 @@ void set_walls(Assembly& out, const Case& input) {
 void set_rock(Assembly& out, const Case& input, const AssemblyRequest& request) {
   Setup& setup = out.setup;
   if (input.rocks) {
+    const LibraryRecipe recipe = library_recipe(input, setup.scene);
     setup.library = blaming("rocks", [&] {
-      return cached_library(library_recipe(input, setup.scene), default_cache_folder(), request.threads,
-                            request.library_progress);
+      return cached_library(recipe, default_cache_folder(), request.threads, request.library_progress);
     });
+    for (std::string& note : floor_notes(recipe, setup.library)) setup.library.notes.push_back(std::move(note));
     out.notes.insert(out.notes.end(), setup.library.notes.begin(), setup.library.notes.end());
   }
   setup.start = blaming("particles", [&] { return start_state(input); });
@@ -174,6 +176,8 @@ Assembly assemble(const Case& input, const AssemblyRequest& request) {
   set_rock(out, input, request);
   set_discharge(out, input);
   set_step(out, input);
+  if (std::string note = set_levels(out.setup, input, request.threads); !note.empty())
+    out.notes.push_back(std::move(note));
   note_windows(out, input, request.until);
   out.setup.inspection_interval = input.output.series;
   if (input.feed) {

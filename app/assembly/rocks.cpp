@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/assembly/rocks.hpp"
 
+#include "app/assembly/in_mm.hpp"
 #include "app/simulation/setup.hpp"
 #include "app/simulation/time_step.hpp"
+#include "core/rocks/floor_saving.hpp"
 #include "core/rocks/strength.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace gyro {
 namespace {
@@ -63,6 +66,22 @@ LibraryRecipe library_recipe(const Case& input, const Scene& scene) {
   recipe.bed = bed_contacts(scene);
   recipe.seed = input.identity.seed;
   return recipe;
+}
+
+std::vector<std::string> floor_notes(const LibraryRecipe& recipe, const RockLibrary& library) {
+  const auto* fill = std::get_if<MonoFill>(&recipe.fill);
+  if (fill == nullptr || !(fill->floor > 0) || library.rocks.empty()) return {};
+  const FloorSaving saving = floor_saving(recipe, library);
+  if (saving.particles == 1)
+    return {"rocks.fill.floor of " + in_mm(fill->floor) + " changes nothing: the smallest particle has " +
+            in_mm(saving.smallest) + " without it"};
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "rocks.fill.floor: particles of %.3g to %.3g mm; the ratio alone would need %.1f times as many particles "
+      "and %.1f times as many steps of their bonds (times particles)",
+      1e3 * saving.smallest, 1e3 * saving.largest, saving.particles, saving.particle_steps);
+  return {text};
 }
 
 double removal_depth(const RockLibrary& library, std::span<const NewRock> start) {

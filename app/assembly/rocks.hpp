@@ -6,6 +6,7 @@
 #include "io/case/case.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace gyro {
@@ -17,6 +18,9 @@ BondStrength bond_strength(const Case& input);
 
 /// Recipe of the library. @param scene  with materials, pairs and bonds
 LibraryRecipe library_recipe(const Case& input, const Scene& scene);
+
+/// What the floor of particle sizes changes, for `check`, `library` and log; empty without a floor.
+std::vector<std::string> floor_notes(const LibraryRecipe& recipe, const RockLibrary& library);
 
 /// Rocks of the case's `particles` and `bonds` files. Bonds get radius and strength as the case's `bonds` say. In a
 /// case without bonds every particle is loose.

@@ -56,6 +56,13 @@ KnobSetting window(double milliseconds) {
           .overrides = {"coupling.interval=" + text_of(milliseconds * 1e-3), "output=null"}};
 }
 
+/// Rocks as rigid bodies until the bound on the load of a bond passes this share of its strength.
+KnobSetting rigid(double bonded_above) {
+  return {.knob = "rigid",
+          .value = text_of(bonded_above),
+          .overrides = {"numerics.levels={rigid: rocks, bonded_above: " + text_of(bonded_above) + "}"}};
+}
+
 KnobSetting margin(double share) {
   return {.knob = "margin", .value = text_of(share), .overrides = {}, .margin = share, .exact = true};
 }
@@ -93,6 +100,7 @@ std::vector<KnobSetting> settings_of(const AccuracyScene& scene, bool quick) {
   }
   if (scene.tool.empty())
     for (const double milliseconds : {0.125, 0.25, 1.0, 2.0}) all.push_back(window(milliseconds));
+  for (const double share : {0.3, 0.5, 0.7}) all.push_back(rigid(share));
   for (const double share : {0.2, 2.0}) all.push_back(margin(share));
   return all;
 }

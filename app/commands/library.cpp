@@ -68,13 +68,15 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
                    {"swell_of_crumbled", swell_of_crumbled(library)},
                    {"notes", library.notes}};
   if (!arguments.json)
-    std::printf("%-28s %9s %9s %7s %8s %9s %9s %9s %6s %9s\n", "rock", "mm", "particles", "bonds", "packing",
-                "mass err", "centre", "inertia", "coord", "limit us");
+    std::printf("%-28s %9s %9s %9s %7s %8s %9s %9s %9s %6s %9s\n", "rock", "mm", "particles", "largest", "bonds",
+                "packing", "mass err", "centre", "inertia", "coord", "limit us");
   for (const RockTemplate& r : library.rocks) {
+    const double largest = *std::max_element(r.radii.begin(), r.radii.end());
     j["rocks"].push_back({{"name", r.name},
                           {"diameter", r.diameter},
                           {"sieve_size", r.sieve_size},
                           {"particles", r.centres.size()},
+                          {"largest_particle", 2 * largest},
                           {"bonds", r.bonds.size()},
                           {"packing_fraction", r.packing_fraction},
                           {"mass_error", r.mass_error},
@@ -83,9 +85,9 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
                           {"coordination", r.coordination},
                           {"critical_step", r.critical_step}});
     if (!arguments.json)
-      std::printf("%-28s %9.4g %9zu %7zu %8.4f %9.1e %9.1e %9.1e %6.2f %9.4g\n", r.name.c_str(), r.diameter * 1e3,
-                  r.centres.size(), r.bonds.size(), r.packing_fraction, r.mass_error, r.centre_error, r.inertia_error,
-                  r.coordination, r.critical_step * 1e6);
+      std::printf("%-28s %9.4g %9zu %9.4g %7zu %8.4f %9.1e %9.1e %9.1e %6.2f %9.4g\n", r.name.c_str(), r.diameter * 1e3,
+                  r.centres.size(), 2e3 * largest, r.bonds.size(), r.packing_fraction, r.mass_error, r.centre_error,
+                  r.inertia_error, r.coordination, r.critical_step * 1e6);
   }
   if (arguments.json)
     std::cout << j.dump(2) << "\n";

@@ -26,6 +26,7 @@ void read_probes(const ParticleSnapshot& s, std::span<const std::uint32_t> probe
 
 OutputForm output_form(const Case& input, const Assembly& assembly) {
   OutputForm form;
+  form.levels = input.numerics.rigid.has_value();
   form.drive = input.drivetrain || input.drivetrain_fmu;
   if (input.drivetrain_fmu) form.drive_knows = knowledge_of(input.drivetrain_fmu->links);
   const Scene& scene = assembly.setup.scene;

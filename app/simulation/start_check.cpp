@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -45,10 +44,6 @@ struct Contact {
     return low;
   }
 };
-
-double mass_of(const NewParticle& p) {
-  return p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
-}
 
 void expect_gentle(const Contact& contact, double smaller_radius, const std::string& bodies) {
   if (!(contact.speed() > max_speed)) return;

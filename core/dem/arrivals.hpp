@@ -4,6 +4,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/expect.hpp"
 #include "core/dem/bond_parts.hpp"
+#include "core/dem/rigid_arrivals.hpp"
 #include "core/scene/new_rock.hpp"
 #include "core/scene/scene.hpp"
 #include "core/state/bonds.hpp"
@@ -48,6 +49,7 @@ class Arrivals {
   struct Present {
     Index particles = 0, bonds = 0, blocks = 0, colours = 0;
     bool with_bonds = false;
+    bool with_rigid = false;  ///< rocks may move as rigid bodies
   };
 
   /// @param exchanged  EnergyTerms::exchanged before they arrive [J]
@@ -77,7 +79,9 @@ class Arrivals {
     const Index block = is_rock ? present_.blocks + size_of(blocks_) : none;
     const bool bonded = present_.with_bonds && !rock.bonds.empty();
     const int substeps = !bonded ? 1 : rock.substeps > 0 ? rock.substeps : substeps_;
-    for (const NewParticle& p : rock.particles) add_particle(p, block, substeps);
+    const bool with_table = present_.with_rigid && bonded && is_rock && can_be_rigid(rock);
+    const bool rigid = with_table && arrives_rigid(rock);
+    for (const NewParticle& p : rock.particles) add_particle(p, block, rigid ? 1 : substeps);
     if (!is_rock) return;
     const Index end = first + size_of(rock.particles);
     Block b{first,   end, bond_count(), 0, colour_count(), 0, rock.id, rock.bonds.empty() ? block_broken : block_intact,
@@ -85,6 +89,8 @@ class Arrivals {
     if (present_.with_bonds) add_bonds(rock, first, substeps);
     b.end_bond = bond_count();
     b.end_colour = colour_count();
+    if (with_table) b.table = rock.load_table, b.table_bonds = static_cast<Index>(rock.bonds.size());
+    b.rigid = rigid ? 1 : 0;
     blocks_.push_back(b);
   }
 
@@ -108,7 +114,7 @@ class Arrivals {
 
   void add_particle(const NewParticle& p, Index block, int substeps) {
     Particles<HostColumn>& to = particles_;
-    const double mass = p.density * (4.0 / 3) * 3.14159265358979323846 * p.radius * p.radius * p.radius;
+    const double mass = mass_of(p);
     to.position.push_back({p.position, p.radius});
     to.motion.push_back({p.velocity, mass});
     to.angular_motion.push_back({p.angular_velocity, 0.4 * mass * p.radius * p.radius});

@@ -14,6 +14,7 @@ void DemSolver<Exec, Real>::insert(std::span<const NewRock> rocks) {
   arrivals.reserve(rocks);
   for (const NewRock& rock : rocks) arrivals.add(rock);
   rock_.append(arrivals);
+  rigid_.append(rocks);
   lists_.extend(rock_.count());
   energies.exchanged = arrivals.exchanged();
   monitor_.counts().bonds_intact += arrivals.bonds_intact();
@@ -31,6 +32,7 @@ void DemSolver<Exec, Real>::remove(std::span<const ParticleId> ids) {
   monitor_.book_losses(Exec::host(rock_.particles().losses), remaining);
   lists_.keep(remaining);
   accounts_.set_entries(lists_.walls().count());
+  rigid_.keep(remaining, Exec::host(rock_.blocks()));
   rock_.keep(remaining);
   monitor_.reserve_events(rock_.bond_count());
 
@@ -72,6 +74,7 @@ template <class Exec, class Real>
 SavedState DemSolver<Exec, Real>::save() const {
   SavedState s;
   rock_.save(s);
+  rigid_.save(s);
   lists_.save(s);
   walls_.save(s);
   accounts_.save(s);
@@ -83,6 +86,7 @@ SavedState DemSolver<Exec, Real>::save() const {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::restore(const SavedState& saved) {
   rock_.restore(saved);
+  rigid_.restore(saved, rock_);
   lists_.restore(exec_, saved, rock_);
   walls_.restore(saved);
   accounts_.restore(saved, lists_.walls().count());

@@ -60,6 +60,11 @@ class Monitor {
     set(flags);
   }
 
+  void rocks_freed() {
+    StepFlags flags = raised();
+    flags.rock_overloaded = 0;
+    set(flags);
+  }
   void pairs_renewed() {
     StepFlags flags = raised();
     flags.moved_too_far = 0;

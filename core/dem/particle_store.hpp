@@ -23,11 +23,13 @@ class ParticleStore {
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
 
-  explicit ParticleStore(bool with_bonds) : with_bonds_(with_bonds) {}
+  /// @param with_rigid  whether rocks may move as rigid bodies
+  explicit ParticleStore(bool with_bonds, bool with_rigid = false) : with_bonds_(with_bonds), with_rigid_(with_rigid) {}
 
   Index count() const { return static_cast<Index>(particles_.position.size()); }
   Index bond_count() const { return static_cast<Index>(bonds_.i.size()); }
   bool has_bonds() const { return with_bonds_; }
+  bool may_be_rigid() const { return with_rigid_; }
 
   const Particles<Buffer>& particles() const { return particles_; }
   const Bonds<Buffer, Real>& bonds() const { return bonds_; }
@@ -60,8 +62,8 @@ class ParticleStore {
   int max_substeps() const { return max_substeps_; }  ///< of all rocks
 
   typename Arrivals<Real>::Present present() const {
-    return {count(), bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
-            with_bonds_};
+    return {count(),     bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
+            with_bonds_, with_rigid_};
   }
   /// Takes the rows out of `arrivals`, column by column: at most one of them is there twice.
   void append(Arrivals<Real>& arrivals) {
@@ -217,7 +219,7 @@ class ParticleStore {
     Exec::upload(bond_partner_, std::move(partner));
   }
 
-  bool with_bonds_;
+  bool with_bonds_, with_rigid_;
   Particles<Buffer> particles_;
   Bonds<Buffer, Real> bonds_;
   Buffer<Block> blocks_;

@@ -52,7 +52,7 @@ void DemSolver<Exec, Real>::launch_steps(const Window& window, const Batch& batc
     const int end_of_alike = std::min({batch.end, window.steps - 1, batch.stop_at - 1});
     const int alike = done == 0 ? 1 : std::max(1, end_of_alike - done);
     exec_.repeat(alike, ahead_.halted(), [&] {
-      begin_step(window, done);
+      begin_step(window, done, done == 0);
       exec_.for_each("enter step", 1, enter);
       if (!stops) end_step(last);
     });

@@ -8,6 +8,7 @@
 #include "core/scene/accounts.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace gyro {
 
@@ -25,11 +26,14 @@ struct SceneSums {
     return exec.template reduce<ParticleSums>("sum particles", rock.count(),
                                               SumParticles{rock.read(), scene.gravity, scene.dt});
   }
-  ContactSums contacts() const {
+  ContactSums contacts() const { return contacts(scene.dt); }
+  /// @param dt  particles with a shorter step have the overlaps of their places, others those of the last evaluation
+  /// [s]
+  ContactSums contacts(double dt) const {
     return exec.template reduce<ContactSums>(
         "sum contacts", rock.count(),
         SumContacts<Real>{rock.read(), lists.pairs().read(), lists.walls().read(), walls, laws.rock(), laws.walls(),
-                          laws.rock_model(), laws.wall_model(), scene.dt});
+                          laws.rock_model(), laws.wall_model(), dt});
   }
   BondSums bonds() const {
     if (!rock.has_bonds()) return {};
@@ -47,6 +51,11 @@ struct SceneSums {
 
   /// @param booked  energies of what has left, of events and of walls
   EnergyTerms energy(const EnergyTerms& booked) const { return energy(booked, particles(), contacts(), bonds()); }
+  /// Kinetic, potential and elastic energy, overlaps from the places of all particles: before and after some are moved.
+  double energy_in_places() const {
+    const ParticleSums sums = particles();
+    return sums.kinetic + sums.potential + contacts(std::numeric_limits<double>::infinity()).elastic + bonds().elastic;
+  }
   static EnergyTerms energy(const EnergyTerms& booked, const ParticleSums& sums, const ContactSums& contact,
                             const BondSums& bond) {
     EnergyTerms e = booked;

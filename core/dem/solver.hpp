@@ -3,6 +3,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/dem/monitor.hpp"
+#include "core/dem/rigid_rocks.hpp"
 #include "core/dem/scene_sums.hpp"
 #include "core/dem/snapshots.hpp"
 #include "core/dem/steps_ahead.hpp"
@@ -26,12 +27,17 @@ class DemSolver final : public Dem {
       : scene_(std::move(scene)),
         exec_(std::move(exec)),
         laws_(scene_),
-        rock_(scene_.bonds.has_value()),
+        rock_(scene_.bonds.has_value(), scene_.rigid.has_value()),
+        rigid_(scene_),
         lists_(0.5 * scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()),
                keeps_extra_history(laws_.wall_model())),
         walls_(scene_.walls),
         accounts_(scene_.walls.size(), scene_.wall_impulses),
-        ahead_(exec_) {}
+        ahead_(exec_) {
+    if (Exec::runs_ahead && scene_.rigid)
+      throw BadInput("numerics.levels.rigid is computed on the CPU only in this version; use --device cpu");
+    if (scene_.rigid) scene_.rigid->tables.reset();  // rigid_ has them
+  }
 
   void insert(std::span<const NewRock> rocks) override;
   void remove(std::span<const ParticleId> ids) override;
@@ -66,7 +72,9 @@ class DemSolver final : public Dem {
   void launch_steps(const Window& window, const Batch& batch);
   void ask_whether_given_up(const Window& window, int done) const;
   static std::int64_t step_number(const Window& window, int done);
-  void begin_step(const Window& window, int done);
+  void begin_step(const Window& window, int done, bool together);
+  void meet(const Window& window, int done);
+  void change_levels(const Window& window);
   void end_step(bool last_of_window);
   void advance_rocks(const Advance& what);
   template <class Kernel>
@@ -89,10 +97,14 @@ class DemSolver final : public Dem {
   double walls_seen_early() const { return held() ? 0.5 : 0; }
   bool held() const { return rock_.max_substeps() > 1; }  ///< contact and wall forces, over sub-steps of some rock
 
+  /// Rocks change their level where the host looks after each step.
+  static constexpr bool has_levels = !Exec::runs_ahead;
+
   Scene scene_;
   mutable Exec exec_;  ///< kernels that only read change nothing but its timers
   SceneLaws<Exec, Real> laws_;
   ParticleStore<Exec, Real> rock_;
+  RigidRocks<Exec, Real> rigid_;
   NeighbourLists<Exec, Real> lists_;
   WallMotion<Exec> walls_;
   WallAccounts<Exec> accounts_;

@@ -29,6 +29,8 @@ struct DemSolver<Exec, Real>::Advance {
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path) {
   GYRO_EXPECT(window.dt == scene_.dt && window.steps > 0);
+  if constexpr (has_levels)
+    if (rigid_.in_use() && primed_) change_levels(window);
   walls_.plan(scene_.walls, window, path);
   if (held()) rock_.loosen_spent_rocks(exec_, scene_.dt, scene_.gravity);
   monitor_.begin_window();
@@ -47,13 +49,38 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
 
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::take_steps(const Window& window) {
+  bool together = true;
   for (int done = 0; done < window.steps; ++done) {
     ask_whether_given_up(window, done);
     walls_.go_to_step(done + 1);
-    begin_step(window, done);
+    begin_step(window, done, together);
     watch();
     end_step(done + 1 == window.steps);
+    together = rigid_.in_use() && done + 1 < window.steps && monitor_.raised().rock_overloaded;
+    if (together) meet(window, done + 1);
   }
+}
+
+/// Brings all particles to the end of a step inside a window, as at the window's end, and makes overloaded rocks
+/// particles with bonds. What walls have booked stays right: of the last contact forces each particle takes in all what
+/// it would have taken, a part of it before and the rest after.
+/// @param done  steps of the window
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::meet(const Window& window, int done) {
+  if (held()) advance_rocks({Motions::move_on, step_number(window, done) - 1, 1, false});
+  finish_step(true);
+  rigid_.free_overloaded(exec_, rock_, scene_);
+  monitor_.rocks_freed();
+}
+
+/// Where two windows meet: overloaded rocks become particles with bonds, calm ones rigid bodies.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::change_levels(const Window& window) {
+  if (monitor_.raised().rock_overloaded) rigid_.free_overloaded(exec_, rock_, scene_), monitor_.rocks_freed();
+  if (!rigid_.find_calm(exec_, rock_, laws_, window.length())) return;
+  const double before = sums().energy_in_places();
+  rigid_.stiffen_calm(exec_, rock_, scene_);
+  monitor_.energies().switched += before - sums().energy_in_places();
 }
 
 template <class Exec, class Real>
@@ -69,11 +96,16 @@ std::int64_t DemSolver<Exec, Real>::step_number(const Window& window, int done) 
 }
 
 /// To the positions of the next step, and the bond forces there.
-/// @param done  steps of the window
+/// @param done      steps of the window
+/// @param together  all particles are at the same time
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::begin_step(const Window& window, int done) {
+void DemSolver<Exec, Real>::begin_step(const Window& window, int done, bool together) {
   const std::int64_t before = step_number(window, done);
-  advance_rocks(done == 0 ? Advance{Motions::move, before} : Advance{Motions::move_on, before - 1, 1});
+  advance_rocks(together ? Advance{Motions::move, before} : Advance{Motions::move_on, before - 1, 1});
+  if constexpr (!has_levels) return;
+  if (rigid_.in_use())
+    rigid_.advance(exec_, rock_, gather(), move(), !together, rigid_.looks_in(before),
+                   &monitor_.flags()->rock_overloaded);
 }
 
 template <class Exec, class Real>
@@ -144,7 +176,13 @@ Gather<Real> DemSolver<Exec, Real>::gather() {
 /// @param kick  false: only the loads, before the first step of a scene
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::finish_step(bool kick) {
-  exec_.for_each("finish step", rock_.count(), FinishStep<Real>{.gather = gather(), .dt = scene_.dt, .kick = kick});
+  exec_.for_each("finish step", rock_.count(),
+                 FinishStep<Real>{.gather = gather(),
+                                  .dt = scene_.dt,
+                                  .kick = kick,
+                                  .may_be_rigid = rigid_.in_use() ? rock_.block_view() : nullptr});
+  if constexpr (has_levels)
+    if (rigid_.in_use() && kick) rigid_.finish_step(exec_, rock_, scene_);
 }
 
 /// Keeps the first excess of a limit, and makes the neighbour lists again as far as particles or walls have moved too
@@ -219,7 +257,11 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
   accounts_.carry_over(exec_, entries, where_rock_is(), walls_.poses());
   Counts& counts = monitor_.counts();
   counts.particle_steps += std::int64_t{rock_.count()} * window.steps;
-  counts.bond_steps += monitor_.bonds_in_step() * window.steps;
+  RigidCount rigid;
+  if constexpr (has_levels)
+    if (rigid_.in_use()) rigid = rigid_.count(exec_, rock_);
+  counts.rigid_particles = rigid.particles;
+  counts.bond_steps += (monitor_.bonds_in_step() - rigid.bonds_in_step) * window.steps;
   monitor_.collect_breakages(rock_, window.dt);
   if (monitor_.raised().limit_exceeded) keep_excess(), monitor_.lower_limit_flag();
 }

@@ -159,6 +159,7 @@ struct SumBonds {
 
   GYRO_HD BondSums operator()(Index n) const {
     if (b.state[n] == bond_broken) return {};
+    if (blocks[p.block[b.i[n]]].rigid) return {0, 1, blocks[p.block[b.i[n]]].substeps, 0, p.id[b.i[n]]};
     BondLanes<Real, OneLane> bond(OneLane{n}, p, b);
     if (b.state[n] != bond_intact) bond.carry_axes(OneLane{n}, p, b, b.state[n], 0);
     const double elastic = static_cast<double>(bond_load(model, law, bond, b.state[n] != bond_intact).elastic);

@@ -58,7 +58,11 @@ struct AdvanceRocks {
   /// Bonds that share no particle.
   GYRO_HD IndexRange items_of_colour(Index colour) const { return {colour_begin[colour], colour_begin[colour + 1]}; }
 
-  GYRO_HD int passes(Index k) const { return only_pass >= 0 ? 1 : all_passes(pieces[k].substeps); }
+  /// None for rocks that move as rigid bodies (rigid_rocks.hpp).
+  GYRO_HD int passes(Index k) const {
+    if (pieces[k].block != none && blocks[pieces[k].block].rigid) return 0;
+    return only_pass >= 0 ? 1 : all_passes(pieces[k].substeps);
+  }
   GYRO_HD int all_passes(int substeps) const {
     return first != Motions::move_on ? 1 : to_next ? substeps : substeps - 1;
   }

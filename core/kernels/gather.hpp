@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/kernels/move.hpp"
+#include "core/state/bonds.hpp"
 #include "core/state/particles.hpp"
 #include "core/state/walls.hpp"
 
@@ -74,12 +75,14 @@ struct Gather {
   }
 };
 
-/// Second half of a velocity Verlet step: the second half of the kick, with the loads of the new position.
+/// Second half of a velocity Verlet step: the second half of the kick, with the loads of the new position. Particles of
+/// rigid rocks only get their loads.
 template <class Real>
 struct FinishStep {
   Gather<Real> gather;
-  double dt;  ///< step of the scene [s]
-  bool kick;  ///< false: only the loads, before the first step of a scene
+  double dt;                  ///< step of the scene [s]
+  bool kick;                  ///< false: only the loads, before the first step of a scene
+  const Block* may_be_rigid;  ///< blocks of a scene where rocks may move as rigid bodies, or null
 
   GYRO_HD void operator()(Index n) const {
     const OneParticle lanes{n};
@@ -93,6 +96,7 @@ struct FinishStep {
       p.losses[n] = lost;
       return;
     }
+    if (may_be_rigid != nullptr && p.block[n] != none && may_be_rigid[p.block[n]].rigid) return;
     ParticleRow<double> angular = lanes.load(p.angular_motion);
     half_kick(step, load, motion, angular);
     lanes.store(p.motion, motion);

@@ -40,8 +40,15 @@ struct Move {
     lanes.store(p.motion, motion);
     lanes.store(p.angular_motion, angular);
     lanes.store(p.position, sphere);
+    watch(lanes, sphere, motion, angular, seen_centre(sphere.vector, motion.vector, D(dt), step));
+  }
+
+  /// Raises the flags of particles that leave their bounds or exceed the limits.
+  /// @param seen  their centres as contacts see them
+  template <class Lanes, class D>
+  GYRO_HD void watch(const Lanes& lanes, const ParticleRow<D>& sphere, const ParticleRow<D>& motion,
+                     const ParticleRow<D>& angular, const Vec3<D>& seen) const {
     const ParticleRow<D> bound = lanes.load(bounds);
-    const Vec3<D> seen = seen_centre(sphere.vector, motion.vector, D(dt), step);
     const auto beyond_list = has_left(bound.vector, bound.number, seen, sphere.number);
     const D allowed = D(limits.speed_ratio) * sphere.number, dt2 = D(dt * dt);
     const auto fast = dt2 * norm2(motion.vector) > allowed * allowed;

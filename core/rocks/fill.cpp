@@ -174,9 +174,14 @@ Packing jam_to_ratio(const Vessel& vessel, double ratio, const FillJob& job) {
   return best;
 }
 
+/// Diameter of the rock / particle diameter.
+double ratio_of(const MonoFill& mono, const FillJob& job) {
+  return mono.floor > 0 ? job.diameter / particle_diameter(mono, job.diameter) : mono.ratio;
+}
+
 /// Spheres jammed in the shape itself.
 Filling jammed(const MonoFill& mono, const Mould& mould, const BondRule& bonds, const FillJob& job) {
-  const Packing packing = jam_to_ratio(vessel_of(mould), mono.ratio, job);
+  const Packing packing = jam_to_ratio(vessel_of(mould), ratio_of(mono, job), job);
   Filling filling;
   for (const Vec3d& x : packing.centres) filling.centres.push_back((1 / packing.side) * x);
   filling.radii.assign(packing.radii.size(), 1 / packing.side);
@@ -193,8 +198,10 @@ std::string in_mm(double length) {
 }
 
 void check(const MonoFill& mono) {
-  if (mono.ratio >= min_fill_ratio && mono.ratio <= max_fill_ratio) return;
-  throw BadInput("rocks.fill ratio is " + std::to_string(mono.ratio) + "; it must be between 2 and 50");
+  if (!(mono.ratio >= min_fill_ratio && mono.ratio <= max_fill_ratio))
+    throw BadInput("rocks.fill ratio is " + std::to_string(mono.ratio) + "; it must be between 2 and 50");
+  if (!(std::isfinite(mono.floor) && mono.floor >= 0))
+    throw BadInput("rocks.fill.floor is " + in_mm(mono.floor) + "; it must be a finite length above 0");
 }
 
 void check(const RangeFill& range) {
@@ -208,7 +215,7 @@ void check(const RangeFill& range) {
 
 Filling cut_for(const MonoFill& mono, const Mould& mould, const BondRule& bonds, const FillJob& job) {
   if (mono.surface == MonoFill::Surface::smooth) return jammed(mono, mould, bonds, job);
-  return best_cut(mould, rock_packing(), std::cbrt(6 / std::numbers::pi) / (2 * mono.ratio), bonds, job);
+  return best_cut(mould, rock_packing(), std::cbrt(6 / std::numbers::pi) / (2 * ratio_of(mono, job)), bonds, job);
 }
 
 Filling cut_for(const RangeFill& range, const Mould& mould, const BondRule& bonds, const FillJob& job) {
@@ -249,6 +256,10 @@ std::array<double, 6> sphere_inertia(const std::vector<Vec3d>& centres, const st
   return t;
 }
 
+double particle_diameter(const MonoFill& mono, double diameter) {
+  return std::max(diameter / mono.ratio, std::min(mono.floor, diameter / min_graded_ratio));
+}
+
 void check_rule(const FillRule& rule) {
   std::visit([](const auto& r) { check(r); }, rule);
 }
@@ -278,8 +289,9 @@ Filling fill(const Mould& mould, const FillRule& rule, const BondRule& bonds, co
   if (best.centres.empty()) {
     const auto* mono = std::get_if<MonoFill>(&rule);
     throw BadInput("the particles of a rock do not hold together" +
-                   (mono ? " at fill ratio " + std::to_string(mono->ratio) : std::string()) + " and bonds.gap " +
-                   std::to_string(bonds.gap) + ": the shape is too thin or the gap is too small; use " +
+                   (mono ? " at fill ratio " + std::to_string(ratio_of(*mono, job)) : std::string()) +
+                   " and bonds.gap " + std::to_string(bonds.gap) +
+                   ": the shape is too thin or the gap is too small; use " +
                    (mono ? "a larger ratio" : "smaller particles") + " or a larger gap, 0.05 is usual");
   }
   return best;

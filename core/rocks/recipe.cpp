@@ -72,6 +72,7 @@ void add(Text& text, const ContactAreaBond& rule) {
 void add(Text& text, const MonoFill& fill) {
   text.number("fill ratio", fill.ratio);
   if (fill.surface == MonoFill::Surface::smooth) text.word("surface", "smooth");
+  if (fill.floor > 0) text.number("floor", fill.floor);
 }
 void add(Text& text, const RangeFill& fill) {
   text.number("fill smallest", fill.smallest), text.number("largest", fill.largest);

@@ -37,6 +37,7 @@ struct RockTemplate {
   double critical_step = 0;          ///< stability limit of the damped step map, with bonds and bed contacts [s]
   double bond_step = 0;              ///< the same of bonds alone [s]
   int substeps = 0;                  ///< of rocks made from it, as NewRock::substeps; not part of a library file
+  Index load_table = none;           ///< likewise, as NewRock::load_table
   std::vector<Vec3d> hull_vertices;  ///< surface of the shape (of a fine scan: its convex hull), for pictures [m]
   std::vector<Vec3<Index>> hull_faces;
 };

@@ -63,11 +63,12 @@ struct EnergyTerms {
   double contact_damping = 0, friction = 0, bond_damping = 0, bond_breakage = 0;
   double wall_work = 0;
   double exchanged = 0;  ///< energy of what was put in less that of what was taken out
+  double switched = 0;   ///< lost where rocks became rigid bodies: their elastic energy and inner motion
 
   /// Energy balance residual: zero up to rounding and the error of the time integration [J].
   double residual() const {
     return kinetic + potential + contact_elastic + bond_elastic + contact_damping + friction + bond_damping +
-           bond_breakage - wall_work - exchanged;
+           bond_breakage + switched - wall_work - exchanged;
   }
 
   template <class F, class... E>
@@ -82,6 +83,7 @@ struct EnergyTerms {
     f("bond_breakage", e.bond_breakage...);
     f("wall_work", e.wall_work...);
     f("exchanged", e.exchanged...);
+    f("switched", e.switched...);
   }
 };
 static_assert(declares_every_field<EnergyTerms>);
@@ -118,6 +120,7 @@ struct Balance {
 struct Counts {
   std::int64_t particles = 0, bonds_intact = 0, broken_tension = 0, broken_shear = 0;
   std::int64_t particle_steps = 0, bond_steps = 0, rebuilds = 0;
+  std::int64_t rigid_particles = 0;  ///< in rocks that move as rigid bodies
 
   template <class F, class... C>
   static constexpr void for_each_field(F&& f, C&... c) {
@@ -128,6 +131,7 @@ struct Counts {
     f("particle_steps", c.particle_steps...);
     f("bond_steps", c.bond_steps...);
     f("rebuilds", c.rebuilds...);
+    f("rigid_particles", c.rigid_particles...);
   }
 };
 static_assert(declares_every_field<Counts>);

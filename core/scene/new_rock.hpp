@@ -15,6 +15,11 @@ struct NewParticle {
   double radius, density;
 };
 
+/// [kg]
+inline double mass_of(const NewParticle& p) {
+  return p.density * (4.0 / 3) * 3.14159265358979323846 * p.radius * p.radius * p.radius;
+}
+
 /// A bond to be put into the scene, between two particles of the same NewRock.
 struct NewBond {
   Index i, j;       ///< positions in NewRock::particles, i < j
@@ -31,6 +36,7 @@ struct NewRock {
   std::vector<Index> colour_begin;
   int substeps =
       0;  ///< steps of its bonds in a step of the scene, during which other forces are held; 0: Scene::substeps
+  Index load_table = none;  ///< in RigidLevel::tables; none: the rock never moves as a rigid body
 };
 
 }  // namespace gyro

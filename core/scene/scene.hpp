@@ -5,9 +5,11 @@
 #include "core/math/quat.hpp"
 #include "core/scene/bond_model.hpp"
 #include "core/scene/bond_parameters.hpp"
+#include "core/scene/load_table.hpp"
 #include "core/scene/material.hpp"
 #include "core/scene/triangle_mesh.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -92,6 +94,15 @@ struct StepLimits {
   double bond_rotation = 0.5;  ///< 2 sin(theta/2), theta the rotation of a bond's ends against each other [rad]
 };
 
+/// When an intact rock moves as one rigid body in place of particles and bonds.
+struct RigidLevel {
+  double bonded_above = 0.5;    ///< static stress / strength of a bond beyond which the rock's bonds are evaluated [-]
+  double rigid_below = 0.2;     ///< largest stress / strength with which a rock becomes rigid [-]
+  double calm_time = 5e-3;      ///< for how long it must stay below [s]
+  double look_interval = 1e-4;  ///< longest time between two looks at the loads of rigid rocks [s]
+  std::shared_ptr<const std::vector<LoadTable>> tables;  ///< of NewRock::load_table; never null. Shared: they are large
+};
+
 /// Everything about a DEM scene that does not change while it runs.
 struct Scene {
   std::vector<Material> materials;
@@ -107,7 +118,8 @@ struct Scene {
   double neighbour_skin = 0;  ///< twice the way that any particle may go until neighbours are sought again, 0: by their
                               ///< speed [m]; changes speed, never results
   StepLimits limits;
-  bool wall_impulses = false;  ///< Dem::take_wall_impulses() has something to give
+  std::optional<RigidLevel> rigid;  ///< none: bonds of all rocks are always evaluated
+  bool wall_impulses = false;       ///< Dem::take_wall_impulses() has something to give
 };
 
 }  // namespace gyro

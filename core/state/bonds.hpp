@@ -69,8 +69,13 @@ struct Block {
   Index first_bond, end_bond;      ///< end is padded to bond_alignment; none once the rock is spent (spent_rocks.hpp)
   Index first_colour, end_colour;  ///< range in the array of colour begins
   RockId rock;
-  std::int32_t state;     ///< BlockState
-  std::int32_t substeps;  ///< steps of its bonds in a step of the scene; 1 without bonds
+  std::int32_t state;           ///< BlockState
+  std::int32_t substeps;        ///< steps of its bonds in a step of the scene; 1 without bonds
+  Index table = none;           ///< load table of the rock; none: it never moves as a rigid body
+  Index table_bonds = 0;        ///< bonds in it: those of the block, in their order
+  std::int32_t rigid = 0;       ///< 1: it moves as a rigid body, and its bonds are not evaluated
+  std::int32_t overloaded = 0;  ///< 1: a rigid rock whose bonds must be evaluated again
+  double calm = 0;              ///< time for which its bonds have been loaded little [s]
 
   template <class F, class... B>
   static constexpr void for_each_field(F&& f, B&... b) {
@@ -83,6 +88,11 @@ struct Block {
     f("rock", b.rock...);
     f("state", b.state...);
     f("substeps", b.substeps...);
+    f("table", b.table...);
+    f("table_bonds", b.table_bonds...);
+    f("rigid", b.rigid...);
+    f("overloaded", b.overloaded...);
+    f("calm", b.calm...);
   }
 };
 static_assert(declares_every_field<Block>);

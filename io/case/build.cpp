@@ -27,6 +27,13 @@ CaseNumerics numerics_of(const Setting& root) {
   numerics.substeps = static_cast<int>(root.number("numerics.substeps"));
   numerics.hold = number_if(root, "numerics.hold");
   if (!numerics.hold && root.text("numerics.hold") == "auto" && numerics.substeps == 1) numerics.hold = 0;
+  if (root.text("numerics.levels.rigid") == "rocks") {
+    CaseRigidRocks rigid;
+    rigid.bonded_above = root.number("numerics.levels.bonded_above");
+    rigid.rigid_below = root.number("numerics.levels.rigid_below");
+    rigid.calm_time = root.number("numerics.levels.calm_time");
+    numerics.rigid = rigid;
+  }
   return numerics;
 }
 
@@ -137,7 +144,8 @@ ShapeStyle style_of(const Setting& section) {
 MonoFill mono_fill_of(const Setting& section) {
   const Setting* surface = section.find("surface");
   const bool smooth = surface != nullptr && surface->texts[0] == "smooth";
-  return {section.number("ratio"), smooth ? MonoFill::Surface::smooth : MonoFill::Surface::cut};
+  return {section.number("ratio"), smooth ? MonoFill::Surface::smooth : MonoFill::Surface::cut,
+          number_if(section, "floor").value_or(0)};
 }
 
 CaseRocks rocks_of(const Setting& section, const CaseTables& tables) {

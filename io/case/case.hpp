@@ -110,11 +110,18 @@ struct CaseFmu : DriveFmu {
   double residual_limit = 0;  ///< see DrivetrainParameters
 };
 
+/// `numerics.levels` with rigid rocks; as RigidLevel.
+struct CaseRigidRocks {
+  double bonded_above = RigidLevel{}.bonded_above, rigid_below = RigidLevel{}.rigid_below;  ///< [-]
+  double calm_time = RigidLevel{}.calm_time;                                                ///< [s]
+};
+
 /// `numerics`.
 struct CaseNumerics {
   Precision precision = Precision::mixed;
   int substeps = 1;                 ///< of all rocks, unless there is a hold
   std::optional<double> hold = {};  ///< largest step of contacts [s]; 0: chosen by the program
+  std::optional<CaseRigidRocks> rigid = {};
 };
 
 /// `laboratory`: a test of one rock between two platens.

@@ -273,7 +273,7 @@ void check_rocks(const Setting& root, CaseProblems& log) {
       log.add(passing->item_marks.back(), "the share that passes the largest size is not 1; the last share must be 1");
   }
   refuse_beside(root, "rocks.fill", "ratio", "sizes", {"exponent"}, log);
-  refuse_beside(root, "rocks.fill", "sizes", "ratio", {"surface"}, log);
+  refuse_beside(root, "rocks.fill", "sizes", "ratio", {"surface", "floor"}, log);
   refuse_beside(root, "rocks.shapes", "files", "cylinder", {"loading_angle"}, log);
   refuse_beside(root, "rocks.shapes", "procedural", "cylinder", {"loading_angle"}, log);
   refuse_beside(root, "rocks.shapes", "files", "procedural", {"elongation", "flatness", "angularity", "roughness"},
@@ -312,6 +312,21 @@ void check_laboratory(const Setting& root, CaseProblems& log) {
     log.add(test->mark, "a " + test->texts[0] + " test needs a cylinder; use rocks.shapes.cylinder");
 }
 
+/// Rocks can only be rigid where there are bonds, and must not become bonded and rigid at the same load.
+void check_levels(const Setting& root, CaseProblems& log) {
+  const Setting* rigid = root.find("numerics.levels.rigid");
+  if (rigid == nullptr || rigid->texts.empty() || rigid->texts[0] == "off") return;
+  if (root.lacks("bonds")) log.add(rigid->mark, "numerics.levels.rigid needs the section bonds; add it, or use off");
+  const Setting *above = root.find("numerics.levels.bonded_above"), *below = root.find("numerics.levels.rigid_below");
+  const auto value = [](const Setting* setting, double fallback) {
+    return setting != nullptr && !setting->numbers.empty() ? setting->numbers[0] : fallback;
+  };
+  if (!(value(below, RigidLevel{}.rigid_below) < value(above, RigidLevel{}.bonded_above)))
+    log.add(below != nullptr ? below->mark : above->mark,
+            "rigid_below is not below bonded_above, so that rocks would change at once and back; give a smaller "
+            "rigid_below or a larger bonded_above");
+}
+
 void check_run(const Setting& root, CaseProblems& log) {
   const Setting* step = root.find("time.step");
   const Setting* interval = root.find("coupling.interval");
@@ -324,6 +339,7 @@ void check_run(const Setting& root, CaseProblems& log) {
     if (root.number("numerics.substeps") > 1)
       log.add(hold->mark, "numerics.hold and numerics.substeps above 1 contradict each other; give one of them");
   }
+  check_levels(root, log);
   const Setting* bonds = root.find("particles.bonds");
   if (bonds != nullptr && root.lacks("bonds"))
     log.add(bonds->mark, "particles.bonds needs the section bonds; add it with the stiffness and strengths");

@@ -153,6 +153,9 @@ const std::vector<Key> rock_keys = {
     {.path = "rocks.fill", .required = true, .one_of = "ratio|sizes", .doc = "How a rock is filled with particles."},
     {.path = "rocks.fill.ratio", .type = quantity, .range = {.low = 2, .high = 50},
      .doc = "Equal-volume diameter of the rock / particle diameter; all particles of a rock have the same size."},
+    {.path = "rocks.fill.floor", .type = quantity, .dimension = length, .range = positive,
+     .doc = "With ratio: smallest particle diameter in rocks that are large enough for it: max(d/ratio, min(floor, d/3)) in a rock of "
+            "diameter d. Small rocks then have fewer particles, at least as many as with ratio 3; without the key none is coarsened."},
     {.path = "rocks.fill.surface", .type = word, .words = "cut|smooth",
      .doc = "With ratio: cut (the default) cuts the rock out of a packing; smooth packs particles inside the convex shape, so "
             "that its faces bear load like ground faces."},
@@ -248,6 +251,17 @@ const std::vector<Key> run_keys = {
     {.path = "numerics.substeps", .type = integer, .fallback = "1", .range = {.low = 1, .high = 16},
      .doc = "Above 1, in place of numerics.hold: number of bond steps, the same for all rocks, during which contact and wall forces are "
             "kept constant; this number times the time step must be less than half the undamped stability limit of contacts."},
+
+    {.path = "numerics.levels", .defaulted = true,
+     .doc = "Levels of detail: what is computed only while a rock needs it. Each changes results a little."},
+    {.path = "numerics.levels.rigid", .type = word, .fallback = "off", .words = "off|rocks",
+     .doc = "rocks: an intact rock moves as a rigid body while no bond of it can fail; off: all bonds are always evaluated."},
+    {.path = "numerics.levels.bonded_above", .type = quantity, .fallback = "0.5", .range = {.low = 0, .high = 1, .low_open = true}, .when = "rigid=rocks",
+     .doc = "Static stress / strength of a bond, from the contact forces on a rigid rock, beyond which the rock's bonds are evaluated."},
+    {.path = "numerics.levels.rigid_below", .type = quantity, .fallback = "0.2", .range = {.low = 0, .high = 1, .low_open = true}, .when = "rigid=rocks",
+     .doc = "Stress / strength below which all bonds of an intact rock must stay for calm_time before it becomes rigid."},
+    {.path = "numerics.levels.calm_time", .type = quantity, .dimension = Dimension::time, .fallback = "5 ms", .range = positive, .when = "rigid=rocks",
+     .doc = "Time for which an intact rock must be loaded little before it becomes rigid."},
 
     {.path = "particles", .doc = "Start state from files, instead of a feed or in addition to it."},
     {.path = "particles.file", .type = file, .required = true,

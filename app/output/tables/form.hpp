@@ -15,6 +15,7 @@ struct OutputForm {
   std::vector<std::string> walls = {};   ///< names of all walls but the first gyrating one
   std::vector<std::string> probes = {};  ///< ids of the particles that the series follow
   bool liners = false, wear = false;     ///< whether the case asks for liner maps, and for wear in them
+  bool levels = false;                   ///< whether rocks may move as rigid bodies
 };
 
 /// Condition for a table or a column.
@@ -29,6 +30,7 @@ inline constexpr Presence with_mantle{"with a gyrating wall", [](const OutputFor
 inline constexpr Presence with_feed{"with a feed", [](const OutputForm& f) { return f.feed; }};
 inline constexpr Presence with_product{"with a crusher", [](const OutputForm& f) { return f.product; }};
 inline constexpr Presence with_bonds{"with bonds", [](const OutputForm& f) { return f.bonds; }};
+inline constexpr Presence with_levels{"with numerics.levels.rigid", [](const OutputForm& f) { return f.levels; }};
 inline constexpr Presence with_liners{"with output.liners", [](const OutputForm& f) { return f.liners; }};
 
 }  // namespace gyro

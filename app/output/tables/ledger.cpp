@@ -54,6 +54,12 @@ const Table<LedgerReading, WindowReading>& ledger_table() {
            .units = "J",
            .value = [](const Row& r) { return r.energy.exchanged; },
            .description = "energy of the particles put in less that of those taken out since the start"},
+          {.name = "switched",
+           .units = "J",
+           .value = [](const Row& r) { return r.energy.switched; },
+           .description = "elastic energy and inner motion lost since the start where rocks became rigid bodies "
+                          "(`numerics.levels`)",
+           .presence = with_levels},
           {.name = "energy_residual",
            .units = "J",
            .value = [](const Row& r) { return r.energy.residual(); },

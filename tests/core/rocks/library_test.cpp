@@ -117,6 +117,7 @@ TEST_CASE("The text of a recipe names everything that a library depends on, shap
   differs([](LibraryRecipe& r) { std::get<ProceduralShapes>(r.shapes).style.roughness = 0.1; });
   differs([](LibraryRecipe& r) { std::get<PassingTable>(r.sizes).points[1].size = std::nextafter(0.5, 1.0); });
   differs([](LibraryRecipe& r) { r.fill = MonoFill{4, MonoFill::Surface::smooth}; });
+  differs([](LibraryRecipe& r) { r.fill = MonoFill{4, MonoFill::Surface::cut, 0.02}; });
   differs([](LibraryRecipe& r) { r.rock_density = 2601; });
   differs([](LibraryRecipe& r) { r.compensated = false; });
   differs([](LibraryRecipe& r) { r.bond_rule.gap = 0.06; });
