@@ -15,6 +15,7 @@ struct OutputForm {
   std::vector<std::string> walls = {};   ///< names of all walls but the first gyrating one
   std::vector<std::string> probes = {};  ///< ids of the particles that the series follow
   bool liners = false, wear = false;     ///< whether the case asks for liner maps, and for wear in them
+  bool fines = false, t10 = false;       ///< whether the case asks for fines, and for their t10
 };
 
 /// Condition for a table or a column.
@@ -30,5 +31,7 @@ inline constexpr Presence with_feed{"with a feed", [](const OutputForm& f) { ret
 inline constexpr Presence with_product{"with a crusher", [](const OutputForm& f) { return f.product; }};
 inline constexpr Presence with_bonds{"with bonds", [](const OutputForm& f) { return f.bonds; }};
 inline constexpr Presence with_liners{"with output.liners", [](const OutputForm& f) { return f.liners; }};
+inline constexpr Presence with_fines{"with output.fines", [](const OutputForm& f) { return f.fines; }};
+inline constexpr Presence with_t10{"with output.fines.breakage", [](const OutputForm& f) { return f.t10; }};
 
 }  // namespace gyro
