@@ -137,7 +137,8 @@ class Curves(Plot):
         """({name: (sizes [mm], passing [%])}, legend, lines of the settings [mm])"""
         axis, = self.drawn("curves", *arguments)
         named = {line.get_label().split(" ")[0]: line.get_data() for line in axis.lines if " (" in line.get_label()}
-        settings = [line.get_xdata()[0] for line in axis.lines if line.get_linestyle() == "--"]
+        settings = [line.get_xdata()[0] for line in axis.lines
+                    if line.get_linestyle() == "--" and line.get_label().startswith("_")]
         return named, " ".join(text.get_text() for text in axis.get_legend().get_texts()), settings
 
     def test_numbers(self):
@@ -155,6 +156,53 @@ class Curves(Plot):
         found, legend, _ = self.curves(self.write_run("a"), "--from", "0.02")
         np.testing.assert_allclose(found["product"][1], [0, 0, 60, 260 / 3, 100], atol=1e-12)  # (4 x after - 1 x before) / 3
         self.assertIn("product (3 kg)", legend)
+
+    def add_particles(self, run, finest, coarsest):
+        import h5py
+        with h5py.File(run / "results.h5", "r+") as file:
+            for group in ("product", "holdup"):
+                file[group].attrs["resolution"], file[group].attrs["finest_particle"] = coarsest, finest
+
+    def shaded(self, run):
+        """([(from, to) of each band in mm], text beside them)"""
+        axis, = self.drawn("curves", run)
+        bands = [(min(x for x, _ in patch.get_xy()), max(x for x, _ in patch.get_xy())) for patch in axis.patches]
+        return bands, next((text.get_text() for text in axis.texts if "particles" in text.get_text()), None)
+
+    def test_sizes_of_particles_are_shaded(self):
+        run = self.write_run("a")
+        self.assertEqual(self.shaded(run), ([], None))  # of an older version
+        self.add_particles(run, 0.005, 0.005)
+        (band,), text = self.shaded(run)
+        self.assertAlmostEqual(band[1], 5)
+        self.assertEqual(text, "particles of\n5 mm:\nfiner rock\nis unknown")
+        self.add_particles(run, 0.0025, 0.01)
+        (unknown, incomplete), text = self.shaded(run)
+        self.assertAlmostEqual(unknown[1], 2.5)
+        self.assertEqual([round(x, 9) for x in incomplete], [2.5, 10])
+        self.assertIn("2.5 to 10 mm", text)
+
+    def test_estimated_fines_are_dashed(self):
+        import h5py
+        import numpy as np
+        run = self.write_run("a")
+        self.add_particles(run, 0.008, 0.008)
+        with h5py.File(run / "results.h5", "r+") as file:
+            text = file["case"].attrs["resolved_yaml"].replace("output: {", "output: {fines: {breakage: {A: 0.6, b: 0.003}}, ")
+            file["case"].attrs["resolved_yaml"] = text
+            for group in ("product", "holdup"):
+                file[f"{group}/passing_with_fines"] = [[0, 0, 0, 0, 0], [0.2, 0.5, 1, 1, 1], [0.1, 0.3, 0.7, 0.9, 1]]
+        axis, = self.drawn("curves", run)
+        dashed = {line.get_label(): line for line in axis.lines if "fines" in line.get_label()}
+        line = dashed["product with estimated fines: P80 = 22.6 mm"]
+        self.assertEqual(line.get_linestyle(), "--")
+        np.testing.assert_allclose(line.get_ydata(), [10, 30, 70, 90, 100])
+        self.assertEqual(len(dashed), 2)
+        text = next(text.get_text() for text in axis.texts if "particles" in text.get_text())
+        self.assertEqual(text, "particles of\n8 mm:\nbelow 8 mm\nestimated,\nby the energy of breakage")
+        axis, = self.drawn("curves", run, "--from", "0.02")
+        line = next(line for line in axis.lines if line.get_label().startswith("product with"))
+        np.testing.assert_allclose(line.get_ydata(), [20 / 3, 70 / 3, 60, 260 / 3, 100])
 
     def test_rock_beyond_the_sieves(self):
         import h5py

@@ -105,6 +105,7 @@ void set_discharge(Assembly& out, const Case& input) {
   Setup& setup = out.setup;
   setup.discharge.emplace();
   setup.discharge->sieves = sieves_of(input);
+  setup.discharge->fines = input.output.fines;
   setup.discharge->removal_depth = input.crusher->removal_depth.value_or(removal_depth(setup.library, setup.start));
   std::string why = "no fixed profile or mesh is called concave";
   try {
@@ -184,6 +185,7 @@ Assembly assemble(const Case& input, const AssemblyRequest& request) {
     Setup& setup = out.setup;
     setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
   }
+  if (input.crusher) out.resolution = resolution_of(out.setup);
   if (input.crusher && input.crusher->lid) check_lid(*input.crusher->lid, out.setup);
   for (std::string& note : reach_notes(input, out.setup, end)) out.notes.push_back(std::move(note));
   out.expected = expected_counts(out.setup, out.step, input.numerics.precision, end);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/assembly/expected_counts.hpp"
+#include "app/assembly/resolution.hpp"
 #include "app/assembly/walls.hpp"
 #include "app/simulation/simulation.hpp"
 #include "app/simulation/time_step.hpp"
@@ -21,7 +22,8 @@ struct Assembly {
   std::optional<Liners> liners;  ///< of a crusher given by its profile
   std::vector<WallPicture> pictures;
   ExpectedCounts expected;
-  std::vector<std::string> notes;  ///< repairs of input files and other remarks, for the log
+  std::optional<Resolution> resolution;  ///< of a crusher's product; none without rock that can break
+  std::vector<std::string> notes;        ///< repairs of input files and other remarks, for the log
 };
 
 /// How a case is assembled.

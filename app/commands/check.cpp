@@ -162,6 +162,9 @@ void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   if (const std::vector<RockTemplate>& rocks = assembly.setup.library.rocks; !rocks.empty())
     std::printf("library        %zu rocks, %.3g to %.3g mm\n", rocks.size(), rocks.front().diameter * 1e3,
                 rocks.back().diameter * 1e3);
+  if (assembly.resolution)
+    std::printf("resolution     particles of %s; finer product is %s\n", to_string(*assembly.resolution).c_str(),
+                input.output.fines ? "estimated, by output.fines" : "unknown");
   for (const std::string& note : assembly.notes) std::printf("note           %s\n", note.c_str());
   print_memory(e);
   std::printf("wall time      about %s on this machine\n", format_duration(e.seconds).c_str());
@@ -198,6 +201,9 @@ int check_command(const CaseArguments& arguments) {
     out["valid"] = true;
     add_figures(out, *found);
     out["notes"] = assembly->notes;
+    const std::optional<Resolution>& resolution = assembly->resolution;  // null without rock that can break
+    out["resolution"] = resolution ? nlohmann::json(resolution->coarsest) : nlohmann::json(nullptr);
+    out["finest_particle"] = resolution ? nlohmann::json(resolution->finest) : nlohmann::json(nullptr);
     if (!arguments.json) print(*report.loaded, *assembly, *found);
   }
   if (arguments.json) std::cout << out.dump(2) << "\n";

@@ -74,7 +74,8 @@ std::vector<Quantity> read_table(const std::filesystem::path& run, const std::st
     if (name == "sizes") continue;  // one row for all times
     const hdf5::Dataset dataset = results.dataset(group + "/" + name);
     quantities.push_back({name, dataset.string_attribute("units"), static_cast<std::size_t>(dataset.columns()),
-                          dataset.read(), name == "passing" ? sizes_of(results, group) : std::vector<double>()});
+                          dataset.read(),
+                          name.starts_with("passing") ? sizes_of(results, group) : std::vector<double>()});
   }
   return quantities;
 }

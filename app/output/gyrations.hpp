@@ -4,6 +4,7 @@
 #include "core/base/saved_state.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace gyro {
@@ -57,8 +58,8 @@ class GyrationReader {
   void add(const GyrationWindow& window);
   const GyrationRecord& record() const { return state_.done; }
 
-  void save(SavedState& to) const { to.put_one("gyrations", state_); }
-  void restore(const SavedState& from) { state_ = from.get_one<State>("gyrations"); }
+  void save(SavedState& to, const std::string& name = "gyrations") const { to.put_one(name, state_); }
+  void restore(const SavedState& from, const std::string& name = "gyrations") { state_ = from.get_one<State>(name); }
 
  private:
   struct State {

@@ -39,6 +39,8 @@ OutputForm output_form(const Case& input, const Assembly& assembly) {
     if (static_cast<Index>(w) != gyrating) form.walls.push_back(scene.walls[w].name);
   for (const std::uint32_t id : input.output.probes) form.probes.push_back(std::to_string(id));
   form.liners = input.output.liners.has_value();
+  form.fines = input.output.fines.has_value();
+  form.t10 = form.fines && std::holds_alternative<BreakageFines>(*input.output.fines);
   form.wear = form.liners && input.output.liners->wear_coefficient;
   return form;
 }

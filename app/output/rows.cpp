@@ -5,8 +5,9 @@
 
 namespace gyro {
 
-RowWriter::RowWriter(const Case& input, const OutputForm& form)
+RowWriter::RowWriter(const Case& input, const OutputForm& form, const std::optional<Resolution>& resolution)
     : input_(input),
+      resolution_(resolution),
       series_(series_table(), form),
       ledger_(ledger_table(), form),
       performance_(performance_table(), form),
@@ -25,6 +26,8 @@ void RowWriter::declare(ResultsContent& content) const {
   for (const auto& [curves, sieves] :
        {std::pair(&*product_, &product_sieves()), std::pair(&*holdup_, &holdup_sieves())}) {
     content.groups.push_back(curves->declaration());
+    for (const CurveAttribute& attribute : curve_attributes())
+      if (resolution_) content.groups.back().attributes.push_back({attribute.name, (*resolution_).*attribute.value});
     for (FixedNumbers& fixed : fixed_numbers(*sieves, {}, Sieves{sieves_of(input_)}, curves->declaration().name))
       content.fixed.push_back(std::move(fixed));
   }
@@ -43,8 +46,8 @@ void RowWriter::write(ResultsFile& file, const std::vector<FragmentRecord>& frag
   for (const FragmentRecord& fragment : fragments) fragments_.append(file, fragment);
 }
 
-CurveReading RowWriter::reading_of(const ProductRow& curve) const {
-  return {curve, input_.crusher->closed_side_setting, open_side_setting(*input_.crusher)};
+CurveReading RowWriter::reading_of(const ProductRow& curve, const std::optional<FinesRow>& fines) const {
+  return {curve, input_.crusher->closed_side_setting, open_side_setting(*input_.crusher), fines};
 }
 
 void RowWriter::write(ResultsFile& file, const Simulation& simulation, double wall_seconds) {
@@ -56,8 +59,10 @@ void RowWriter::write(ResultsFile& file, const Simulation& simulation, double wa
   ledger_.append(file, read_ledger(simulation));
   performance_.append(file, {now.time, wall_seconds, now.counts});
   if (product_) {
-    product_->append(file, reading_of(simulation.product()->row(now.time)));
-    holdup_->append(file, reading_of(simulation.hold_up()->row(now.time)));
+    const std::optional<Fines>& fines = simulation.fines();
+    const auto if_asked = [&](auto part) { return fines ? std::optional(((*fines).*part)()) : std::nullopt; };
+    product_->append(file, reading_of(simulation.product()->row(now.time), if_asked(&Fines::product)));
+    holdup_->append(file, reading_of(simulation.hold_up()->row(now.time), if_asked(&Fines::hold_up)));
   }
   discharged_before_ = now.discharged_mass;
 }

@@ -12,7 +12,8 @@ namespace gyro {
 /// /breakage and /fragments, which get a row for each bond and each fragment.
 class RowWriter {
  public:
-  RowWriter(const Case& input, const OutputForm& form);
+  /// @param resolution  of the rock; none without rock that can break
+  RowWriter(const Case& input, const OutputForm& form, const std::optional<Resolution>& resolution);
 
   /// Adds its groups to what results.h5 must have.
   void declare(ResultsContent& content) const;
@@ -28,9 +29,11 @@ class RowWriter {
   void restore(const SavedState& from);
 
  private:
-  CurveReading reading_of(const ProductRow& curve) const;
+  /// @param fines  of the same rock, if the case asks for them
+  CurveReading reading_of(const ProductRow& curve, const std::optional<FinesRow>& fines) const;
 
   const Case& input_;
+  std::optional<Resolution> resolution_;
   TableWriter<SeriesReading, WindowReading> series_;
   TableWriter<LedgerReading, WindowReading> ledger_;
   TableWriter<PerformanceReading> performance_;

@@ -15,6 +15,20 @@ std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+constexpr double kwh_per_t = 1000 / 3.6e6;  // in a J/kg
+
+/// What is finer than particles.
+FinesFigures fines_figures_of(const Fines& fines, const FinesLaw& law) {
+  const FinesRow row = fines.product();
+  return {.law = std::holds_alternative<BreakageFines>(law) ? "breakage" : "gates_gaudin_schuhmann",
+          .p80 = row.p80,
+          .p50 = row.p50,
+          .share = row.share.value_or(0),
+          .released_energy_kwh_per_t = row.energy.value_or(0) * kwh_per_t,
+          .t10 = row.t10,
+          .beyond_share = row.beyond_share};
+}
+
 void add_product(Summary& s, const Case& input, const Assembly& assembly, const Simulation& simulation,
                  const RunOutput& output) {
   s.holdup_mass = simulation.holdup();
@@ -22,6 +36,10 @@ void add_product(Summary& s, const Case& input, const Assembly& assembly, const 
   s.escaped_fraction = simulation.escaped_fraction();
   const ProductRow row = simulation.product()->row(simulation.time());
   s.discharged_mass = row.mass;
+  if (assembly.resolution) {
+    s.resolution = assembly.resolution->coarsest;
+    s.finest_particle = assembly.resolution->finest;
+  }
   if (simulation.time() > 0) s.throughput_tph = row.mass / simulation.time() * 3.6;
   if (!(row.mass > 0)) return;
   s.specific_energy_kwh_per_t = output.crushing_work() / 3.6e6 / (row.mass / 1000);
@@ -30,12 +48,12 @@ void add_product(Summary& s, const Case& input, const Assembly& assembly, const 
   s.product_below_css = passing_at(row.sieves, row.passing, input.crusher->closed_side_setting);
   s.product_below_oss = passing_at(row.sieves, row.passing, open_side_setting(*input.crusher));
   s.singles_share = row.singles_share;
+  if (simulation.fines()) s.fines = fines_figures_of(*simulation.fines(), *input.output.fines);
   if (input.bonds && !assembly.setup.library.rocks.empty())
     s.swell_of_crumbled = swell_of_crumbled(assembly.setup.library);
 }
 
-constexpr double tph = 3.6;                 // t/h in a kg/s
-constexpr double kwh_per_t = 1000 / 3.6e6;  // in a J/kg
+constexpr double tph = 3.6;  // t/h in a kg/s
 
 Estimate scaled(const Estimate& e, double factor) {
   return {e.value * factor, e.error * factor};
@@ -62,6 +80,12 @@ void add_steady(Summary& s, const Case& input, const Simulation& simulation, con
   f.product_below_css = steady->below[0];
   f.product_below_oss = steady->below[1];
   f.residence_time = steady->residence_time;
+  if (output.gyrations_with_fines() == nullptr) return;
+  // The same gyrations: whether they are steady does not depend on the sieves.
+  const std::optional<SteadyState> with_fines =
+      steady_state(*output.gyrations_with_fines(), {}, {}, simulation.product()->sieves());
+  f.p80_with_fines = with_fines->p80;
+  f.p50_with_fines = with_fines->p50;
 }
 
 /// Power on the motor's name plate [W]; none for a motor that has none, and for foreign drives.

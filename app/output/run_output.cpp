@@ -13,6 +13,7 @@ namespace gyro {
 namespace {
 
 constexpr std::string_view marks_prefix = "results";
+constexpr const char* with_fines_name = "gyrations_with_fines";
 constexpr std::string_view rows_suffix = "/rows", digests_suffix = "/digests";  // a group may hold another
 
 /// A line for each channel: its digest and its name.
@@ -64,16 +65,18 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
     : input_(input),
       assembly_(assembly),
       state_(saved ? saved->get_one<State>("output") : State{}),
-      rows_(input, output_form(input, assembly)),
+      rows_(input, output_form(input, assembly), assembly.resolution),
       maps_(input, assembly),
       require_own_(std::move(require_own)),
       results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_marks(*saved))
                      : ResultsFile(directory / "results.h5", content(record))),
       snapshots_(directory, state_.snapshot_times) {
+  if (input.output.fines) with_fines_.emplace();
   if (!saved) return;
   rows_.restore(*saved);
   maps_.restore(*saved);
   gyrations_.restore(*saved);
+  if (with_fines_) with_fines_->restore(*saved, with_fines_name);
   motor_.restore(*saved);
   // If the interval has changed, the next frame is the first one after the present time.
   const CaseOutput& now = input_.output;
@@ -118,6 +121,10 @@ void RunOutput::note_drive(const WindowResult& result, const Simulation& simulat
                         .discharged = result.discharged_mass};
   if (simulation.product()) window.sieve_mass = simulation.product()->state().sieve_mass;
   gyrations_.add(window);
+  if (with_fines_) {
+    window.sieve_mass = simulation.fines()->sieve_mass();
+    with_fines_->add(window);
+  }
   motor_.add(length, drive.means().motor_power);
 }
 
@@ -174,6 +181,7 @@ void RunOutput::save(SavedState& to) const {
   rows_.save(to);
   maps_.save(to);
   gyrations_.save(to);
+  if (with_fines_) with_fines_->save(to, with_fines_name);
   motor_.save(to);
 }
 

@@ -55,6 +55,8 @@ class RunOutput {
   double mean_crushing_power() const { return state_.time > 0 ? state_.crushing_work / state_.time : 0; }  ///< [W]
   double crushing_work() const { return state_.crushing_work; }                                            ///< [J]
   const GyrationRecord& gyrations() const { return gyrations_.record(); }
+  /// The same with the fines of the product; empty unless the case asks for them.
+  const GyrationRecord* gyrations_with_fines() const { return with_fines_ ? &with_fines_->record() : nullptr; }
   const MotorRows& motor() const { return motor_; }
 
  private:
@@ -105,6 +107,7 @@ class RunOutput {
   bool lost_ = false;         ///< a number was not finite
   bool fixed_given_ = false;  ///< the writer has the walls that are the same in all frames
   GyrationReader gyrations_;
+  std::optional<GyrationReader> with_fines_;
   MotorRows motor_;
   ResultsFile results_;
   SnapshotWriter snapshots_;  ///< used by the writer's thread only

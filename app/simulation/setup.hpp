@@ -4,6 +4,7 @@
 #include "core/base/errors.hpp"
 #include "core/feed/feed.hpp"
 #include "core/fragments/concave_outline.hpp"
+#include "core/fragments/fines_law.hpp"
 #include "core/fragments/sieve_curve.hpp"
 #include "core/rocks/rock_template.hpp"
 #include "core/scene/new_rock.hpp"
@@ -21,6 +22,7 @@ struct Discharge {
   double removal_depth = 0;  ///< a fragment that has left is removed once it lies wholly below z = -this [m], >= 0
   std::optional<ConcaveOutline> concave = {};   ///< none: all that falls below z = 0 is product
   std::vector<double> sieves = sieve_series();  ///< of product and hold-up, increasing [m]
+  std::optional<FinesLaw> fines = {};           ///< of what is finer than particles; none: it is not estimated
 };
 
 /// What a coupled run is made of, in SI units. Plain data: a program may fill it by hand, app/assembly fills it from a

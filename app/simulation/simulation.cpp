@@ -70,6 +70,7 @@ Simulation::Simulation(Setup setup, std::unique_ptr<Dem> dem, std::optional<Driv
   if (setup_.discharge) {
     product_.emplace(rock_density_, setup_.discharge->concave, setup_.discharge->sieves);
     hold_up_.emplace(rock_density_, setup_.discharge->sieves);
+    if (setup_.discharge->fines) fines_.emplace(*setup_.discharge->fines, rock_density_, setup_.discharge->sieves);
   }
   if (saved != nullptr)
     restore(*saved);
@@ -109,6 +110,7 @@ WindowResult Simulation::advance(int max_steps) {
   close_balances(result);                                             // 4. energy and momentum must balance
   if (!verdict_) feed_rock();                                         // 5. rock is fed
   result.breakages = dem_->take_breakages();
+  if (fines_) fines_->add(result.breakages);
   result.wall_impulses = dem_->take_wall_impulses();
   result.holdup_mass = holdup();
   result.discharged_mass = discharged_mass();
@@ -175,6 +177,7 @@ void Simulation::insert(std::span<const NewRock> rocks) {
       state_.mass_inside += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
   }
   dem_->insert(rocks);
+  if (fines_) fines_->feed(rocks);
 }
 
 void Simulation::feed_rock() {
@@ -211,16 +214,17 @@ void Simulation::inspect() {
 
 /// Counts what has left the chamber, analyses what has not, and removes what lies far below the discharge plane.
 void Simulation::count_product(const ParticleSnapshot& particles, const FragmentTable& table) {
-  for (FragmentRecord& fragment : product_->update(table, particles)) {
-    fragment.time = time();
-    left_.push_back(fragment);
-  }
+  std::vector<FragmentRecord> left = product_->update(table, particles);
+  for (FragmentRecord& fragment : left) fragment.time = time();
   hold_up_->update(table, particles, *product_);
+  if (fines_) fines_->update(table, particles, left, *product_, *hold_up_);
+  left_.insert(left_.end(), left.begin(), left.end());
   const std::vector<ParticleId> gone = product_->removable(table, particles, setup_.discharge->removal_depth);
   if (gone.empty()) return;
   for (std::size_t n = 0; n < particles.size(); ++n)
     if (std::binary_search(gone.begin(), gone.end(), particles.id[n])) state_.mass_inside -= particles.mass[n];
   dem_->remove(gone);
+  if (fines_) fines_->remove(gone, particles);
   open_balances();
 }
 
@@ -291,6 +295,7 @@ SavedState Simulation::save() const {
   if (feed_) s.put_one("feed", feed_->state());
   if (product_) s.put_one("product", product_->state());
   if (hold_up_) s.put_one("hold_up", hold_up_->state());
+  if (fines_) s.put_one("fines", fines_->state());
   s.put_one("ledger", ledger_.state());
   s.put_one("momentum", momentum_.state());
   return s;
@@ -319,6 +324,8 @@ void Simulation::restore(const SavedState& s) {
     product_.emplace(rock_density_, setup_.discharge->concave, setup_.discharge->sieves,
                      s.get_one<Product::State>("product"));
   if (hold_up_) hold_up_.emplace(rock_density_, setup_.discharge->sieves, s.get_one<HoldUp::State>("hold_up"));
+  if (fines_)
+    fines_.emplace(*setup_.discharge->fines, rock_density_, setup_.discharge->sieves, s.get_one<Fines::State>("fines"));
   ledger_.restore(s.get_one<Ledger::State>("ledger"));
   momentum_.restore(s.get_one<MomentumBalance::State>("momentum"));
   counted_ = mass_count();

@@ -5,6 +5,7 @@
 #include "app/simulation/momentum_balance.hpp"
 #include "app/simulation/setup.hpp"
 #include "app/simulation/thin_wall_check.hpp"
+#include "core/fragments/fines.hpp"
 #include "core/fragments/hold_up.hpp"
 #include "core/scene/dem.hpp"
 #include "mbd/drivetrain.hpp"
@@ -76,6 +77,8 @@ class Simulation {
   const std::optional<Product>& product() const { return product_; }
   /// Content of the chamber at the last inspection.
   const std::optional<HoldUp>& hold_up() const { return hold_up_; }
+  /// The estimate of what is finer than particles; empty unless setup.discharge asks for it.
+  const std::optional<Fines>& fines() const { return fines_; }
   FeedAccount fed() const;
   double start_mass() const { return state_.start_mass; }  ///< of setup.start [kg]
   double discharged_mass() const;                          ///< since the start [kg]
@@ -148,6 +151,7 @@ class Simulation {
   std::optional<Feed> feed_;
   std::optional<Product> product_;
   std::optional<HoldUp> hold_up_;
+  std::optional<Fines> fines_;
   Ledger ledger_;
   MomentumBalance momentum_;
   ThinWallCheck thin_walls_;

@@ -24,10 +24,16 @@ std::vector<Held> held_fragments(const FragmentTable& table, const ParticleSnaps
   return held;
 }
 
-std::optional<double> known_size(const HoldUp::State& known, ParticleId first, Index particles) {
+/// Row of a fragment in the columns; their number without it.
+std::size_t row_of(const HoldUp::State& known, ParticleId first) {
   const auto found = std::lower_bound(known.first.begin(), known.first.end(), first);
-  if (found == known.first.end() || *found != first) return std::nullopt;
-  const auto k = static_cast<std::size_t>(found - known.first.begin());
+  const bool there = found != known.first.end() && *found == first;
+  return there ? static_cast<std::size_t>(found - known.first.begin()) : known.first.size();
+}
+
+std::optional<double> known_size(const HoldUp::State& known, ParticleId first, Index particles) {
+  const std::size_t k = row_of(known, first);
+  if (k == known.first.size()) return std::nullopt;
   return known.particles[k] == particles ? std::optional(known.size[k]) : std::nullopt;
 }
 
@@ -55,6 +61,10 @@ void HoldUp::update(const FragmentTable& table, const ParticleSnapshot& particle
     now.tally.add(sieves_, now.size.back(), f.mass, f.particles);
   }
   state_ = std::move(now);
+}
+
+double HoldUp::size_of(ParticleId first) const {
+  return state_.size.at(row_of(state_, first));
 }
 
 }  // namespace gyro

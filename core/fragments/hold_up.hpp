@@ -41,6 +41,8 @@ class HoldUp {
   void update(const FragmentTable& table, const ParticleSnapshot& particles, const Product& product);
   /// The last analysis.
   ProductRow row(double time) const { return state_.tally.row(sieves_, time); }
+  /// Size of a fragment of several particles in the last analysis [m]. @param first  its particle of the lowest id
+  double size_of(ParticleId first) const;
   const State& state() const { return state_; }
 
  private:

@@ -241,6 +241,12 @@ CaseLaboratory laboratory_of(const Setting& section, const std::vector<CaseWall>
           index_of(walls, section.text("fixed")), index_of(walls, section.text("moving"))};
 }
 
+FinesLaw fines_of(const Setting& section) {
+  if (const Setting* ore = section.find("breakage"))
+    return BreakageFines{ore->number("A"), ore->number("b"), ore->number("released_share")};
+  return SchuhmannFines{section.number("gates_gaudin_schuhmann.m")};
+}
+
 CaseOutput output_of(const Setting& section) {
   const std::vector<std::string>& formats = section.find("formats")->texts;
   const auto has = [&](std::string_view format) {
@@ -258,6 +264,7 @@ CaseOutput output_of(const Setting& section) {
   if (const Setting* probes = section.find("probes"))
     for (const double id : probes->numbers) output.probes.push_back(static_cast<std::uint32_t>(id));
   if (const Setting* sieves = section.find("sieves")) output.sieves = sieves->numbers;
+  if (const Setting* fines = section.find("fines")) output.fines = fines_of(*fines);
   return output;
 }
 

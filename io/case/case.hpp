@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/fragments/fines_law.hpp"
 #include "core/geometry/mesh_frame.hpp"
 #include "core/rocks/bonds.hpp"
 #include "core/rocks/library.hpp"
@@ -167,7 +168,8 @@ struct CaseOutput {
   bool vtp = true, hdf5 = false;
   std::optional<CaseLinerMaps> liners;
   std::vector<std::uint32_t> probes = {};  ///< ids of particles whose motion the series records
-  std::vector<double> sieves = {};  ///< openings for product and hold-up, increasing [m]; empty: the default series
+  std::vector<double> sieves = {};     ///< openings for product and hold-up, increasing [m]; empty: the default series
+  std::optional<FinesLaw> fines = {};  ///< none: what is finer than particles is not estimated
 };
 
 /// A checked case in SI units. A key that the file leaves out has its documented default, or its member is empty.

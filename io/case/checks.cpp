@@ -345,6 +345,16 @@ void check_run(const Setting& root, CaseProblems& log) {
     log.add(bonds->mark, "particles.bonds needs the section bonds; add it with the stiffness and strengths");
 }
 
+/// Only broken rock that leaves a crusher has fines.
+void check_fines(const Setting& root, CaseProblems& log) {
+  const Setting* fines = root.find("output.fines");
+  if (fines == nullptr) return;
+  if (root.lacks("crusher"))
+    log.add(fines->mark, "output.fines estimates the product of a crusher; add the section crusher, or remove fines");
+  if (root.lacks("bonds"))
+    log.add(fines->mark, "output.fines needs rock that breaks; add the section bonds, or remove fines");
+}
+
 }  // namespace
 
 void check_settings(const Setting& root, CaseProblems& log) {
@@ -356,6 +366,7 @@ void check_settings(const Setting& root, CaseProblems& log) {
   check_rocks(root, log);
   check_laboratory(root, log);
   check_run(root, log);
+  check_fines(root, log);
   check_intervals(root, log);
 }
 

@@ -28,10 +28,17 @@ struct Channel {
   std::string description = {};  ///< one line
 };
 
+/// A number that belongs to a whole group, as an attribute of it.
+struct GroupNumber {
+  std::string name;
+  double value = 0;
+};
+
 /// A group whose datasets grow together, one row at a time.
 struct ResultsGroup {
   std::string name;  ///< such as "/series"
   std::vector<Channel> channels;
+  std::vector<GroupNumber> attributes = {};
 };
 
 /// A dataset that is written once, with the attributes of a channel.
@@ -40,6 +47,9 @@ struct FixedNumbers {
   Channel channel;   ///< its name and columns are not used
   std::vector<double> numbers;
 };
+
+/// Writes the attributes of a group that exists; those that it has are replaced.
+void describe_group(hdf5::File& file, const ResultsGroup& group);
 
 /// Writes the attributes of a channel to its dataset.
 void describe_dataset(hdf5::Dataset& dataset, const Channel& channel);

@@ -19,6 +19,7 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent
   write_record(*file_, content.record);
   for (const ResultsGroup& group : content.groups) {
     file_->create_group(group.name);
+    describe_group(*file_, group);
     tables_.emplace(group.name, ResultsTable(*file_, group));
   }
   for (const FixedNumbers& fixed : content.fixed) {

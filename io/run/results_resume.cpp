@@ -135,9 +135,11 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, const ResultsContent
     file_ = std::move(open.file);
     shorten(*file_, content, keep);
     write_record(*file_, content.record);
-    for (const ResultsGroup& group : content.groups)
+    for (const ResultsGroup& group : content.groups) {
+      describe_group(*file_, group);
       tables_.emplace(group.name,
                       ResultsTable(*file_, group, keep.at(group.name).rows, std::move(open.digests.at(group.name))));
+    }
     file_->start_appending();
     put_in_place(path);
   } catch (...) {

@@ -40,6 +40,10 @@ const char* to_string(Sampling sampling) {
   throw std::logic_error("unknown sampling");
 }
 
+void describe_group(hdf5::File& file, const ResultsGroup& group) {
+  for (const GroupNumber& number : group.attributes) file.set_attribute(group.name, number.name, number.value);
+}
+
 void describe_dataset(hdf5::Dataset& dataset, const Channel& channel) {
   dataset.set_attribute("units", channel.units);
   dataset.set_attribute("sampling", to_string(channel.sampling));

@@ -28,6 +28,7 @@ std::vector<SummaryMember> summary_members() {
   list_figures(steady_figures(), "steady.", all);
   list_figures(motor_figures(), "motor.", all);
   list_figures(laboratory_figures(), "laboratory.", all);
+  list_figures(fines_figures(), "fines.", all);
   list_figures(drive_event_figures(), "drive_events[].", all);
   return all;
 }

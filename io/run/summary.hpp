@@ -40,7 +40,19 @@ struct SteadyFigures {
   std::optional<Estimate> specific_energy_kwh_per_t = {};  ///< crushing energy / discharged mass
   std::optional<Estimate> p80 = {}, p50 = {};              ///< sieve sizes that these shares of the product pass [m]
   std::optional<Estimate> product_below_css = {}, product_below_oss = {};  ///< mass shares of the product [-]
+  std::optional<Estimate> p80_with_fines = {}, p50_with_fines = {};        ///< p80 and p50 with estimated fines [m]
   std::optional<double> residence_time = {};                               ///< hold-up / throughput [s]
+};
+
+/// The estimate of what is finer than particles, of the product of the whole run.
+struct FinesFigures {
+  std::string law = {};                     ///< breakage, gates_gaudin_schuhmann
+  std::optional<double> p80 = {};           ///< sieve size that 80 % of the product with fines passes [m]
+  std::optional<double> p50 = {};           ///< sieve size that 50 % of the product with fines passes [m]
+  double share = 0;                         ///< mass share finer than the particles of its fragments [-]
+  double released_energy_kwh_per_t = 0;     ///< elastic energy released by broken bonds / mass
+  std::optional<double> t10 = {};           ///< mean over the mass [-]
+  std::optional<double> beyond_share = {};  ///< mass share with a t10 above 40 % [-]
 };
 
 /// Mechanical power at the shaft of the motor, from rows of /series.
@@ -90,6 +102,9 @@ struct Summary {
   std::optional<double> product_below_css = {};                ///< mass share of the product [-]
   std::optional<double> product_below_oss = {};                ///< mass share of the product [-]
   std::optional<double> singles_share = {};                    ///< mass share of single particles in the product [-]
+  std::optional<double> resolution = {};                       ///< size of the coarsest particle that can break off [m]
+  std::optional<double> finest_particle = {};                  ///< size of the finest one [m]
+  std::optional<FinesFigures> fines = {};                      ///< what is finer than that; empty: it is unknown
   std::optional<double> swell_of_crumbled = {};                ///< loose volume of crumbled / volume of solid rock [-]
   std::optional<double> mean_crushing_power = {};              ///< [W]
   std::optional<double> energy_residual_fraction = {};         ///< residual / the larger of work and largest energy

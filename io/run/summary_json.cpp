@@ -43,6 +43,10 @@ Json json_of(const LaboratoryFigures& laboratory) {
   return json_of(laboratory_figures(), laboratory);
 }
 
+Json json_of(const FinesFigures& fines) {
+  return json_of(fines_figures(), fines);
+}
+
 Json json_of(const std::vector<DriveHappening>& events) {
   Json all = Json::array();
   for (const DriveHappening& event : events) all.push_back(json_of(drive_event_figures(), event));
@@ -89,6 +93,10 @@ void read(const Json& json, MotorFigures& motor) {
 
 void read(const Json& json, LaboratoryFigures& laboratory) {
   read(laboratory_figures(), json, laboratory);
+}
+
+void read(const Json& json, FinesFigures& fines) {
+  read(fines_figures(), json, fines);
 }
 
 void read(const Json& json, std::vector<DriveHappening>& events) {

@@ -126,6 +126,44 @@ std::string single_particles_line(const Summary& s) {
                                          100 * *s.singles_share, *s.swell_of_crumbled));
 }
 
+std::string resolution_line(const Summary& s) {
+  if (!s.resolution || !s.finest_particle) return {};
+  const bool graded = *s.resolution > 1.001 * *s.finest_particle;
+  const std::string from = graded ? format("%.3g to ", *s.finest_particle * 1e3) : std::string();
+  const std::string finer =
+      s.fines ? format("below %.3g mm estimated, by ", *s.resolution * 1e3) +
+                    (s.fines->law == "breakage" ? "the energy of breakage" : "a Gates-Gaudin-Schuhmann distribution")
+              : std::string("finer product is unknown");
+  return line("resolution", "particles of " + from + format("%.3g mm; ", *s.resolution * 1e3) + finer);
+}
+
+std::string fines_lines(const Summary& s) {
+  if (!s.fines) return {};
+  const FinesFigures& f = *s.fines;
+  const auto size = [&](const char* name, std::optional<Estimate> SteadyFigures::*steady,
+                        const std::optional<double>& whole) -> std::string {
+    const Unit mm{1e3, "mm"};
+    if (!s.steady) return whole ? name + text_of(*whole, mm) + ", " : std::string();
+    const std::optional<Estimate>& e = (*s.steady).*steady;
+    return e ? name + text_of(*e, mm) + ", " : std::string();
+  };
+  std::string text = line("with fines", size("P80 ", &SteadyFigures::p80_with_fines, f.p80) +
+                                            size("P50 ", &SteadyFigures::p50_with_fines, f.p50) +
+                                            format("%.3g %% finer than its particles", 100 * f.share));
+  if (f.t10) {
+    const double whole = s.specific_energy_kwh_per_t.value_or(0);
+    text += line(
+        "t10",
+        format("%.3g %%, mean of the product; bonds released %.3g kWh/t", 100 * *f.t10, f.released_energy_kwh_per_t) +
+            (whole > 0 ? format(", %.3g %% of the crushing energy", 100 * f.released_energy_kwh_per_t / whole)
+                       : std::string()));
+  }
+  if (f.beyond_share.value_or(0) > 0)
+    text += line("", format("above 40 %% for %.3g %% of the product: the estimate is an extrapolation there",
+                            100 * *f.beyond_share));
+  return text;
+}
+
 std::string steady_line(const Summary& s) {
   if (!s.steady) return {};
   return line(

@@ -32,6 +32,8 @@ std::string waiting_line(const Summary& s);
 std::string escaped_line(const Summary& s);
 std::string below_settings_line(const Summary& s);
 std::string single_particles_line(const Summary& s);
+std::string resolution_line(const Summary& s);
+std::string fines_lines(const Summary& s);
 std::string steady_line(const Summary& s);
 std::string not_steady_line(const Summary& s);
 std::string motor_line(const Summary& s);

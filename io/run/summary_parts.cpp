@@ -8,6 +8,8 @@ namespace {
 
 constexpr const char* if_failed = "if the rock failed";
 constexpr const char* with_discharge = "with discharge since then";
+constexpr const char* with_fines = "with discharge since then, and output.fines";
+constexpr const char* with_breakage_fines = "with output.fines.breakage";
 constexpr const char* with_motor = "with a drivetrain that gives it";
 constexpr const char* with_name_plate = "with a motor that has a rated power";
 
@@ -98,6 +100,26 @@ const std::vector<Figure<SteadyFigures>>& steady_figures() {
        .value = estimate_error<&S::product_below_oss>,
        .description = "its standard error",
        .when = with_discharge},
+      {.name = "p80_with_fines",
+       .units = "m",
+       .value = estimate_value<&S::p80_with_fines>,
+       .description = "p80 with estimated fines",
+       .when = with_fines},
+      {.name = "p80_with_fines_error",
+       .units = "m",
+       .value = estimate_error<&S::p80_with_fines>,
+       .description = "its standard error",
+       .when = with_fines},
+      {.name = "p50_with_fines",
+       .units = "m",
+       .value = estimate_value<&S::p50_with_fines>,
+       .description = "p50 with estimated fines",
+       .when = with_fines},
+      {.name = "p50_with_fines_error",
+       .units = "m",
+       .value = estimate_error<&S::p50_with_fines>,
+       .description = "its standard error",
+       .when = with_fines},
       {.name = "residence_time",
        .units = "s",
        .value = field<&S::residence_time>,
@@ -217,6 +239,45 @@ const std::vector<Figure<LaboratoryFigures>>& laboratory_figures() {
        .description = "stiffness x length / area",
        .when = "in a uniaxial test, if the rock failed",
        .line = [](const LaboratoryFigures& s) { return number_line("modulus", s.modulus, 1e-9, " GPa"); }},
+  };
+  return figures;
+}
+
+const std::vector<Figure<FinesFigures>>& fines_figures() {
+  using S = FinesFigures;
+  static const std::vector<Figure<S>> figures{
+      {.name = "law",
+       .units = "-",
+       .value = field<&S::law>,
+       .description = "what the estimate is made with: breakage or gates_gaudin_schuhmann, as in output.fines"},
+      {.name = "p80",
+       .units = "m",
+       .value = field<&S::p80>,
+       .description = "size that 80 % of the product of the whole run passes, with estimated fines"},
+      {.name = "p50",
+       .units = "m",
+       .value = field<&S::p50>,
+       .description = "size that 50 % of the product of the whole run passes, with estimated fines"},
+      {.name = "share",
+       .units = "1",
+       .value = field<&S::share>,
+       .description = "estimated share of the product that is finer than the coarsest particle of its fragment"},
+      {.name = "released_energy_kwh_per_t",
+       .units = "kWh/t",
+       .value = field<&S::released_energy_kwh_per_t>,
+       .description = "elastic energy that the broken bonds of the product released / its mass"},
+      {.name = "t10",
+       .units = "1",
+       .value = field<&S::t10>,
+       .description =
+           "share finer than a tenth of the size that a rock was fed with, by that energy, mean over the product",
+       .when = with_breakage_fines},
+      {.name = "beyond_share",
+       .units = "1",
+       .value = field<&S::beyond_share>,
+       .description = "share of the product with a t10 above 40 %, more than is usual in crushers: the estimate is an "
+                      "extrapolation there",
+       .when = with_breakage_fines},
   };
   return figures;
 }

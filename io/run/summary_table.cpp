@@ -9,6 +9,7 @@ namespace {
 constexpr const char* with_feed = "with a feed";
 constexpr const char* with_crusher = "with a crusher";
 constexpr const char* with_product = "with a crusher that has discharged";
+constexpr const char* with_bonds = "with a crusher and bonds";
 constexpr const char* unless_unknown = "unless it is unknown or not finite";
 
 }  // namespace
@@ -85,13 +86,15 @@ const std::vector<Figure<Summary>>& summary_figures() {
       {.name = "p80",
        .units = "m",
        .value = field<&Summary::p80>,
-       .description = "size that 80 % of the product of the whole run passes",
+       .description =
+           "size that 80 % of the product of the whole run passes; pieces finer than particles are not in it",
        .when = with_product,
        .line = p80_line},
       {.name = "p50",
        .units = "m",
        .value = field<&Summary::p50>,
-       .description = "size that 50 % of the product of the whole run passes",
+       .description =
+           "size that 50 % of the product of the whole run passes; pieces finer than particles are not in it",
        .when = with_product},
       {.name = "product_below_css",
        .units = "1",
@@ -110,6 +113,26 @@ const std::vector<Figure<Summary>>& summary_figures() {
        .description = "share of the product's mass in single particles",
        .when = with_product,
        .line = single_particles_line},
+      {.name = "resolution",
+       .units = "m",
+       .value = field<&Summary::resolution>,
+       .description =
+           "size of the coarsest particle of rock that can break: finer product is incomplete, because particles "
+           "are the smallest pieces",
+       .when = with_bonds,
+       .line = resolution_line},
+      {.name = "finest_particle",
+       .units = "m",
+       .value = field<&Summary::finest_particle>,
+       .description = "size of the finest particle of rock that can break: the product has nothing that is finer, and "
+                      "what real rock has there is unknown",
+       .when = with_bonds},
+      {.name = "fines",
+       .units = "-",
+       .value = field<&Summary::fines>,
+       .description = "estimate of the product that is finer than particles",
+       .when = "with output.fines and a crusher that has discharged",
+       .line = fines_lines},
       {.name = "swell_of_crumbled",
        .units = "1",
        .value = field<&Summary::swell_of_crumbled>,

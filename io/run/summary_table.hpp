@@ -22,6 +22,7 @@ Json json_of(const std::string& text);
 Json json_of(const SteadyFigures& steady);
 Json json_of(const MotorFigures& motor);
 Json json_of(const LaboratoryFigures& laboratory);
+Json json_of(const FinesFigures& fines);
 Json json_of(const std::vector<DriveHappening>& events);
 template <class T>
 Json json_of(const std::optional<T>& value) {
@@ -39,6 +40,7 @@ void read(const Json& json, std::string& text);
 void read(const Json& json, SteadyFigures& steady);
 void read(const Json& json, MotorFigures& motor);
 void read(const Json& json, LaboratoryFigures& laboratory);
+void read(const Json& json, FinesFigures& fines);
 void read(const Json& json, std::vector<DriveHappening>& events);
 template <class T>
 void read(const Json& json, std::optional<T>& value) {
@@ -134,6 +136,7 @@ const std::vector<Figure<Summary>>& summary_figures();
 const std::vector<Figure<SteadyFigures>>& steady_figures();
 const std::vector<Figure<MotorFigures>>& motor_figures();
 const std::vector<Figure<LaboratoryFigures>>& laboratory_figures();
+const std::vector<Figure<FinesFigures>>& fines_figures();
 const std::vector<Figure<DriveHappening>>& drive_event_figures();
 
 template <class S>

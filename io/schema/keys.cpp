@@ -292,6 +292,25 @@ const std::vector<Key> run_keys = {
     {.path = "output.sieves", .type = quantities, .dimension = length, .range = positive,
      .doc = "Openings of the sieves of /product and /holdup, at least two, increasing; by default 125 mm x 2^(k/2) from 1 mm "
             "to 1 m. P80, P50 and the shares below both settings are interpolated between these sieves, and are missing outside their range."},
+    {.path = "output.fines", .one_of = "breakage|gates_gaudin_schuhmann",
+     .doc = "Estimate of the rock finer than the particles, which are the smallest pieces: further curves and figures in /product, /holdup and "
+            "the summary; all others stay those of the particles."},
+    {.path = "output.fines.breakage",
+     .doc = "Fines from the energy E that broke a fragment / its mass, known from what its broken bonds released: t10 = A (1 - exp(-b E)) is the share finer than a "
+            "tenth of the size that its rock was fed with, and the other t_n follow from t10."},
+    {.path = "output.fines.breakage.A", .type = quantity, .required = true, .range = {.low = 0, .high = 1, .low_open = true},
+     .doc = "Largest t10, from drop-weight tests of the ore: 64.5 % for a compact itabirite."},
+    {.path = "output.fines.breakage.b", .type = quantity, .dimension = mass_per_energy, .required = true,
+     .range = {.low = 0, .high = 0.1, .low_open = true},
+     .doc = "From the same tests: 10.5 t/kWh for that ore; A b is 30 to 40 % t/kWh for very hard, 40 to 55 for medium and above 100 for soft ores."},
+    {.path = "output.fines.breakage.released_share", .type = quantity, .fallback = "1", .range = {.low = 0, .high = 1, .low_open = true},
+     .doc = "Energy that bonds release / energy that a drop-weight test counts, by which E is divided. With 1, t10 is a lower bound; the stiffer the "
+            "bonds, the less they release: bond_breakage / wall_work of /ledger is the share of the work of the walls."},
+    {.path = "output.fines.gates_gaudin_schuhmann",
+     .doc = "Each single particle that has broken off a rock stands for pieces of which the mass share (x/d)^m is smaller than x, d being the size "
+            "of the particle."},
+    {.path = "output.fines.gates_gaudin_schuhmann.m", .type = quantity, .required = true, .range = {.low = 0, .high = 5, .low_open = true},
+     .doc = "Exponent."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
      .doc = "Files of a snapshot: vtp for ParaView; hdf5 is not available in this version."},
     {.path = "output.liners",

@@ -108,6 +108,10 @@ const std::vector<Unit> unit_table = {
     {"kJ", energy, 1e3},
     {"MJ", energy, 1e6},
     {"kWh", energy, 3.6e6},
+    {"kg/J", mass_per_energy, 1},
+    {"kg/kJ", mass_per_energy, 1e-3},
+    {"t/kWh", mass_per_energy, 1.0 / 3600},
+    {"kg/kWh", mass_per_energy, 1 / 3.6e6},
     {"kg m2", inertia, 1},
     {"t m2", inertia, 1e3},
     {"N m s", rotational_damping, 1},
@@ -267,6 +271,8 @@ std::string_view name_of(Dimension dimension) {
       return "a power";
     case energy:
       return "an energy";
+    case mass_per_energy:
+      return "a mass per energy";
     case inertia:
       return "a moment of inertia";
     case rotational_damping:

@@ -30,6 +30,7 @@ enum class Dimension {
   mass_flow,           // [kg/s]
   power,               // [W]
   energy,              // [J]
+  mass_per_energy,     // [kg/J]
   inertia,             // [kg m2]
   rotational_damping,  // [N m s]
 };

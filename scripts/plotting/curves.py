@@ -3,7 +3,8 @@
 of the run, with their P80 and the side settings.
 
 The feed is the size distribution that the case states, by equal-volume diameter. Chamber and product are sieved, and
-interpolated between sieves on the logarithm of the size, as P80 is in results.h5."""
+interpolated between sieves on the logarithm of the size, as P80 is in results.h5. Sizes of particles, the smallest
+pieces, are shaded: what is finer is unknown. With output.fines it is estimated, and drawn as dashed lines."""
 from pathlib import Path
 
 import numpy as np
@@ -11,12 +12,13 @@ from matplotlib.ticker import FuncFormatter, LogLocator
 
 from plotting.case import feed_curve, read_case, settings
 from plotting.run_data import open_results, read_title
-from plotting.style import COLOURS, WIDTH, PlotError, plt, save
+from plotting.style import BAND, COLOURS, WIDTH, PlotError, plt, save
 
 MARGIN = 1.3  # of the axis of sizes beyond the curves
 DECADE = (1, 2, 5)
 SETTING = "#444444"
 COLOUR = dict(zip(("feed", "chamber", "product"), COLOURS))
+LAWS = {"breakage": "by the energy of breakage", "gates_gaudin_schuhmann": "by a Gates-Gaudin-Schuhmann distribution"}
 
 
 def add_arguments(parser):
@@ -49,10 +51,10 @@ def passing_size(sizes, passing, share):
     return float(sizes[above - 1] * (sizes[above] / sizes[above - 1]) ** part)
 
 
-def read_sieved(group, begin=0):
+def read_sieved(group, begin=0, column="passing"):
     """(time of the last row, Curve of the mass that was added after `begin`); the curve is None without such mass."""
-    rows = min(len(group[name]) for name in ("time", "passing", "mass"))
-    time, passing, mass = (group[name][:rows] for name in ("time", "passing", "mass"))
+    rows = min(len(group[name]) for name in ("time", column, "mass"))
+    time, passing, mass = (group[name][:rows] for name in ("time", column, "mass"))
     if rows == 0:
         return 0.0, None
     added, finer = mass[-1], mass[-1] * passing[-1]
@@ -62,8 +64,25 @@ def read_sieved(group, begin=0):
     return float(time[-1]), Curve(group["sizes"][:], finer / added, float(added)) if added > 0 else None
 
 
+class Resolution:
+    """Where the curves end.
+
+    finest, coarsest  sizes of particles [m]; None of a run whose rock cannot break, or of an older version
+    fines             {name: Curve} with estimated fines
+    law               how these are estimated
+    """
+
+    def __init__(self, groups, case, begin):
+        attributes = groups["product"].attrs
+        self.coarsest, self.finest = attributes.get("resolution"), attributes.get("finest_particle")
+        self.law = LAWS.get(next(iter((case.get("output") or {}).get("fines") or {}), None), "")
+        self.fines = {name: read_sieved(group, begin if name == "product" else 0, "passing_with_fines")[1]
+                      for name, group in groups.items() if "passing_with_fines" in group}
+        self.fines = {name: curve for name, curve in self.fines.items() if curve}
+
+
 def read(run, begin):
-    """(time, {name: Curve} of those that there are, {name: side setting [m]})"""
+    """(time, {name: Curve} of those that there are, Resolution, {name: side setting [m]})"""
     with open_results(run) as file:
         if "product" not in file:
             raise PlotError(f"{run} has no crusher; give the directory of a crusher's run")
@@ -72,10 +91,11 @@ def read(run, begin):
         if begin >= time > 0:
             raise PlotError(f"the run is at {time:g} s; use an earlier --from")
         curves = {"chamber": read_sieved(file["holdup"])[1], "product": product}
+        resolution = Resolution({"chamber": file["holdup"], "product": file["product"]}, case, begin)
     feed = feed_curve(case)
     if feed:
         curves = {"feed": Curve(*feed), **curves}
-    return time, {name: curve for name, curve in curves.items() if curve}, settings(case)
+    return time, {name: curve for name, curve in curves.items() if curve}, resolution, settings(case)
 
 
 def limits(curves):
@@ -93,6 +113,30 @@ def draw_curve(axis, name, curve):
     axis.plot([1e3 * curve.p80], [80], "o", color=COLOUR[name], markersize=6)
 
 
+def draw_fines(axis, resolution):
+    for name, curve in resolution.fines.items():
+        p80 = f"P80 = {1e3 * curve.p80:.3g} mm" if np.isfinite(curve.p80) else "P80 beyond the sieves"
+        axis.plot(1e3 * curve.sizes, 100 * curve.passing, color=COLOUR[name], linestyle=(0, (4, 2)), linewidth=1.3,
+                  label=f"{name} with estimated fines: {p80}")
+
+
+def draw_resolution(axis, resolution, low):
+    """Shades the sizes that the particles do not resolve: lightly those of the particles, and darker what is finer.
+
+    low  left end of the axis [m]"""
+    if resolution.coarsest is None:
+        return
+    finest, coarsest = resolution.finest, resolution.coarsest
+    axis.axvspan(1e3 * low, 1e3 * finest, color=BAND, alpha=0.75, linewidth=0)
+    sizes = f"{1e3 * coarsest:.3g}"
+    if coarsest > 1.001 * finest:
+        axis.axvspan(1e3 * finest, 1e3 * coarsest, color=BAND, alpha=0.35, linewidth=0)
+        sizes = f"{1e3 * finest:.3g} to {sizes}"
+    known = f"below {1e3 * coarsest:.3g} mm\nestimated,\n{resolution.law}" if resolution.fines else "finer rock\nis unknown"
+    axis.annotate(f"particles of\n{sizes} mm:\n{known}", (0, 0.98), xycoords="axes fraction", xytext=(4, 0),
+                  textcoords="offset points", ha="left", va="top", fontsize=7.5, color=SETTING)
+
+
 def draw_settings(axis, sides):
     """Vertical lines with their names above the picture, on the sides that face away from each other."""
     for (name, size), (text, side) in zip(sides.items(), (("{} {:.3g} mm ", "right"), (" {} {:.3g} mm", "left"))):
@@ -102,7 +146,7 @@ def draw_settings(axis, sides):
 
 
 def draw(arguments):
-    time, curves, sides = read(arguments.run, arguments.begin)
+    time, curves, resolution, sides = read(arguments.run, arguments.begin)
     if not curves:
         raise PlotError(f"{arguments.run} has no rock yet; wait until the run has some")
     figure, axis = plt.subplots(figsize=(WIDTH, 5))
@@ -110,8 +154,12 @@ def draw(arguments):
     draw_settings(axis, sides)
     for name, curve in curves.items():
         draw_curve(axis, name, curve)
-    low, high = limits(curves.values())
+    draw_fines(axis, resolution)
+    low, high = limits([*curves.values(), *resolution.fines.values()])
     low, high = min([low, *sides.values()]), max([high, *sides.values()])
+    if resolution.finest is not None:
+        low = min(low, resolution.finest)
+    draw_resolution(axis, resolution, low / MARGIN)
     axis.set(xscale="log", xlim=(1e3 * low / MARGIN, 1e3 * high * MARGIN), ylim=(0, 101), xlabel="size [mm]",
              ylabel="cumulative passing [% of the mass]", yticks=range(0, 101, 10))
     axis.xaxis.set_major_locator(LogLocator(subs=DECADE))
@@ -120,5 +168,5 @@ def draw(arguments):
     title = read_title(arguments.run)
     since = f", product since {arguments.begin:g} s" if arguments.begin > 0 else ""
     axis.set_title(f"{title}: size curves at {time:.3f} s{since}", pad=20)  # above the names of the settings
-    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.11), ncol=len(curves), handlelength=1.5, columnspacing=1.5)
+    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.11), ncol=2 if resolution.fines else len(curves), handlelength=1.8, columnspacing=1.5)
     save(figure, arguments.out or arguments.run / "curves.png")

@@ -94,10 +94,10 @@ std::set<std::string> described(const fs::path& run, const json& entries) {
 
 TEST_CASE("The reference describes every dataset of a quickstart run, and every described dataset exists") {
   const Workplace place;
-  const Outcome outcome =
-      place.gyrosim("run " + quickstart +
-                    " --until '3 ms' --out r --set 'output.probes=[0]' --set 'output.liners={interval: "
-                    "1 ms, rows: 4, sectors: 6, wear_coefficient: 1e-12}'");
+  const Outcome outcome = place.gyrosim(
+      "run " + quickstart +
+      " --until '3 ms' --out r --set 'output.probes=[0]' --set 'output.liners={interval: "
+      "1 ms, rows: 4, sectors: 6, wear_coefficient: 1e-12}' --set 'output.fines={breakage: {A: 0.6, b: 8 t/kWh}}'");
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
   const json entries = reference(place);
@@ -114,6 +114,8 @@ TEST_CASE("The reference describes every dataset of a quickstart run, and every 
       if (name.find('.') == std::string::npos) CHECK(summary.contains(name));
     } else if (group == "/case") {
       CHECK((name == "seed" || !file.string_attribute("/case", name).empty()));
+    } else if (entry["sampling"] == "attribute") {
+      CHECK(file.number_attribute(group, name) > 0);
     } else if (group.starts_with("/")) {
       CHECK(found.count(path_of(entry)) == 1);
     }

@@ -16,6 +16,7 @@ struct OutputForm {
   std::vector<std::string> probes = {};  ///< ids of the particles that the series follow
   bool liners = false, wear = false;     ///< whether the case asks for liner maps, and for wear in them
   bool levels = false;                   ///< whether rocks may move as rigid bodies
+  bool fines = false, t10 = false;       ///< whether the case asks for fines, and for their t10
 };
 
 /// Condition for a table or a column.
@@ -32,5 +33,7 @@ inline constexpr Presence with_product{"with a crusher", [](const OutputForm& f)
 inline constexpr Presence with_bonds{"with bonds", [](const OutputForm& f) { return f.bonds; }};
 inline constexpr Presence with_levels{"with numerics.levels.rigid", [](const OutputForm& f) { return f.levels; }};
 inline constexpr Presence with_liners{"with output.liners", [](const OutputForm& f) { return f.liners; }};
+inline constexpr Presence with_fines{"with output.fines", [](const OutputForm& f) { return f.fines; }};
+inline constexpr Presence with_t10{"with output.fines.breakage", [](const OutputForm& f) { return f.t10; }};
 
 }  // namespace gyro

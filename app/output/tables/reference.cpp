@@ -30,6 +30,13 @@ OutputGroup group_of(const Table<Now, Window>& table) {
   return group;
 }
 
+/// Adds the attributes of a group of curves.
+OutputGroup with_attributes(OutputGroup group) {
+  for (const CurveAttribute& a : curve_attributes())
+    group.entries.push_back({a.name, a.units, "1", "attribute", with_resolution.text, a.description});
+  return group;
+}
+
 /// Adds the datasets of a group that are written once.
 template <class Now>
 OutputGroup with_fixed(OutputGroup group, const Table<Now>& fixed) {
@@ -92,6 +99,7 @@ the interval that it stands for; `sampling` says how:
 * `instant`: the value at `time`. Speeds, angles, masses, counts, sums since the start, and what never changes.
 * `mean`: the mean over the interval. Powers, torques, forces and rates.
 * `sum`: the sum over the interval.
+* `attribute`: no dataset, but a number that is an attribute of the group.
 
 Units are SI. The unit of a pure number is 1; text, lists and yes/no values have the unit -. In summary.json, the name of a figure
 ends in its unit if that is not SI (`_tph`: t/h, `_kwh_per_t`: kWh/t). `_seconds` marks times, simulated or of the clock; `_fraction` and
@@ -107,8 +115,8 @@ std::vector<OutputGroup> output_reference() {
           group_of(performance_table()),
           group_of(breakage_table()),
           group_of(fragments_table()),
-          with_fixed(group_of(product_table()), product_sieves()),
-          with_fixed(group_of(holdup_table()), holdup_sieves()),
+          with_attributes(with_fixed(group_of(product_table()), product_sieves())),
+          with_attributes(with_fixed(group_of(holdup_table()), holdup_sieves())),
           with_fixed(group_of(liner_cells_table()), liner_shape_table()),
           group_of(liner_triangles_table()),
           case_group(),

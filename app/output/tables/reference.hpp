@@ -11,7 +11,7 @@ struct OutputEntry {
   std::string name;
   std::string units;        ///< "1" for a pure number; empty if there is none
   std::string width;        ///< numbers in a row: "1", "3", or what each number belongs to, such as "sieve"
-  std::string sampling;     ///< see Sampling; empty if the entry has no time
+  std::string sampling;     ///< see Sampling, or "attribute"; empty if the entry has no time
   std::string when;         ///< "always", "with bonds"
   std::string description;  ///< one line
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/assembly/resolution.hpp"
 #include "app/output/tables/column.hpp"
+#include "core/fragments/fines.hpp"
 #include "core/fragments/fragment_record.hpp"
 #include "core/fragments/sieve_curve.hpp"
 #include "core/scene/accounts.hpp"
@@ -64,9 +66,20 @@ const Table<FragmentRecord>& fragments_table();
 struct CurveReading {
   ProductRow curve;
   double closed_side_setting, open_side_setting;  ///< [m]
+  std::optional<FinesRow> fines = {};             ///< none unless the case asks for them
 };
 const Table<CurveReading>& product_table();
 const Table<CurveReading>& holdup_table();
+/// An attribute of the groups of both.
+struct CurveAttribute {
+  const char* name;
+  const char* units;
+  double Resolution::*value;
+  const char* description;
+};
+const std::vector<CurveAttribute>& curve_attributes();
+inline constexpr Presence with_resolution{"with a crusher and bonds",
+                                          [](const OutputForm& f) { return f.product && f.bonds; }};
 /// The sieves of both, written once.
 struct Sieves {
   std::vector<double> sizes;  ///< openings [m]

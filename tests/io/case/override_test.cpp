@@ -87,12 +87,33 @@ TEST_CASE("Keys that exclude each other and values out of range are refused") {
           "give rolling_friction above 0");
   refused("output.sieves=[2 mm, 5 mm, 5 mm]", "output.sieves does not rise here");
   refused("output.sieves=[2 mm]", "give a list of at least two values, each larger than the one before");
+  refused("output.fines={}",
+          "output.fines gives none of its alternatives; give exactly one of: breakage, or gates_gau");
+  refused("output.fines={breakage: {A: 60 %, b: 9 t/kWh}, gates_gaudin_schuhmann: {m: 1}}", "exclude each other");
+  refused("output.fines={breakage: {A: 64.5, b: 9 t/kWh}}", "output.fines.breakage.A = 64.5 is out of range");
+  refused("output.fines={breakage: {A: 64.5 %, b: 10.5}}", "output.fines.breakage.b = 10.5 is out of range");
+  refused("output.fines={breakage: {A: 64.5 %, b: 10.5 kWh}}", "give a mass per energy in one of the units kg/J");
+  refused("output.fines={breakage: {A: 64.5 %}}", "required key \"b\" is missing");
+  refused("output.fines={breakage: {A: 64.5 %, b: 9 t/kWh, released_share: 0}}", "released_share = 0 is out of range");
+  refused("output.fines={gates_gaudin_schuhmann: {m: 0}}", "output.fines.gates_gaudin_schuhmann.m = 0 is out of range");
   refused("rocks.fill={ratio: 1}", "between 2 and 50");
   refused("bonds.strength_scatter={distribution: weibull, modulus: 4, range: [0.4, 1.6]}", "range does not belong to");
   refused("bonds.strength_scatter={distribution: weibull}", "required key \"modulus\" is missing");
   refused("bonds.strength_scatter={distribution: truncated_normal, range: [0.4, 1.6]}", "\"deviation\" is missing");
   refused("bonds.strength_scatter={distribution: paper_literal, range: [1.2, 1.6]}", "is not inside the range");
   refused("rocks.sizes={vendor: {feed_opening: 1 m, min: 200 mm}}", "below 0.1 of feed_opening");
+}
+
+TEST_CASE("The law of fines is read with its units") {
+  CHECK_FALSE(load({}).output.fines);
+  const gyro::CaseOutput output = load({"output.fines={breakage: {A: 64.5 %, b: 10.5 t/kWh}}"}).output;
+  const auto ore = std::get<gyro::BreakageFines>(*output.fines);
+  CHECK(ore.A == 0.645);
+  CHECK(ore.b == 10.5 / 3600);
+  CHECK(ore.released_share == 1);
+  const auto tail =
+      std::get<gyro::SchuhmannFines>(*load({"output.fines={gates_gaudin_schuhmann: {m: 0.8}}"}).output.fines);
+  CHECK(tail.m == 0.8);
 }
 
 TEST_CASE("Problems of overrides are reported with the number and column of the override") {

@@ -110,6 +110,41 @@ TEST_CASE("The text shows only what applies to the run, and fits on a screen") {
   CHECK_THAT(to_text(summary, "out"), Contains("  41 % below CSS\n"));
 }
 
+TEST_CASE("The text says where the product ends, and what is estimated below") {
+  Summary summary;
+  summary.resolution = summary.finest_particle = 0.0052;
+  CHECK_THAT(to_text(summary, "out"), Contains("  resolution        particles of 5.2 mm; finer product is unknown\n"));
+  summary.finest_particle = 0.0031;
+  CHECK_THAT(to_text(summary, "out"), Contains("particles of 3.1 to 5.2 mm; finer product is unknown\n"));
+  summary.fines = FinesFigures{.law = "breakage",
+                               .p80 = 0.14,
+                               .p50 = 0.06,
+                               .share = 0.08,
+                               .released_energy_kwh_per_t = 0.012,
+                               .t10 = 0.21,
+                               .beyond_share = 0.0};
+  summary.specific_energy_kwh_per_t = 0.24;
+  const std::string estimated = to_text(summary, "out");
+  for (const char* line :
+       {"  resolution        particles of 3.1 to 5.2 mm; below 5.2 mm estimated, by the energy of breakage\n",
+        "  with fines        P80 140 mm, P50 60 mm, 8 % finer than its particles\n",
+        "  t10               21 %, mean of the product; bonds released 0.012 kWh/t, 5 % of the crushing energy\n"})
+    CHECK_THAT(estimated, Contains(line));
+  CHECK_THAT(estimated, !Contains("extrapolation"));
+  summary.fines->beyond_share = 0.3;
+  CHECK_THAT(to_text(summary, "out"), Contains("above 40 % for 30 % of the product: the estimate is an extrapolation"));
+  summary.fines->law = "gates_gaudin_schuhmann";
+  CHECK_THAT(to_text(summary, "out"), Contains("below 5.2 mm estimated, by a Gates-Gaudin-Schuhmann distribution\n"));
+
+  const ScratchDirectory scratch;
+  summary.steady = SteadyFigures{.p80_with_fines = Estimate{0.135, 0.002}};
+  CHECK_THAT(to_text(summary, "out"), Contains("  with fines        P80 135 +- 2 mm, 8 % finer than its particles\n"));
+  write_summary(summary, scratch.path());
+  const Summary again = load_summary(scratch.path());
+  CHECK(to_text(again, "out") == to_text(summary, "out"));
+  CHECK(to_json(again) == to_json(summary));
+}
+
 TEST_CASE("A summary that was read back prints the same text") {
   const ScratchDirectory scratch;
   Summary s;
