@@ -21,6 +21,7 @@ struct Assembly {
   std::optional<Liners> liners;  ///< of a crusher given by its profile
   std::vector<WallPicture> pictures;
   ExpectedCounts expected;
+  double start_mass = 0;           ///< of start state and filling, with a feed; less of it may find room [kg]
   std::vector<std::string> notes;  ///< repairs of input files and other remarks, for the log
 };
 

@@ -66,7 +66,10 @@ class Simulation {
   /// particles that touch through a mesh wall are a verdict. Does nothing where any position is not finite.
   void inspect();
 
-  const Setup& setup() const { return setup_; }  ///< without `start`, which is in the scene
+  /// Without `start` and the pieces of `filling`, which are in the scene.
+  const Setup& setup() const { return setup_; }
+  /// What setup.filling has come to, without the rocks; none without it, and where the simulation continues.
+  const std::optional<Filled>& filled() const { return filled_; }
   double time() const { return static_cast<double>(state_.step) * setup_.scene.dt; }  ///< [s]
   const Dem& dem() const { return *dem_; }
   const Ledger& ledger() const { return ledger_; }
@@ -77,7 +80,7 @@ class Simulation {
   /// Content of the chamber at the last inspection.
   const std::optional<HoldUp>& hold_up() const { return hold_up_; }
   FeedAccount fed() const;
-  double start_mass() const { return state_.start_mass; }  ///< of setup.start [kg]
+  double start_mass() const { return state_.start_mass; }  ///< of setup.start and setup.filling [kg]
   double discharged_mass() const;                          ///< since the start [kg]
   double escaped_mass() const;                             ///< over the rim since the start [kg]
   double escaped_fraction() const;                         ///< of the mass fed or there at the start [-]
@@ -129,6 +132,7 @@ class Simulation {
   };
 
   void start();
+  void fill_chamber();
   void restore(const SavedState& saved);
   int steps_ahead(int max_steps) const;
   void advance_rock(const Window& window, const MantlePath& path);
@@ -146,6 +150,7 @@ class Simulation {
   std::unique_ptr<Dem> dem_;
   std::optional<Drivetrain> drivetrain_;
   std::optional<Feed> feed_;
+  std::optional<Filled> filled_;
   std::optional<Product> product_;
   std::optional<HoldUp> hold_up_;
   Ledger ledger_;
