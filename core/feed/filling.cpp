@@ -58,7 +58,8 @@ class PieceSearch {
     nearest_ = within;
     for (int k = 0; k < positions; ++k) {
       const double r = reach * k / positions * std::sqrt(draws_.next()), t = 2 * std::numbers::pi * draws_.next();
-      offer(target_ + Vec3d{r * std::cos(t), r * std::sin(t), 0}, r);
+      const double below = (k % 4) * piece_.bounding_radius / 3;
+      offer(target_ + Vec3d{r * std::cos(t), r * std::sin(t), -below}, r);
     }
     return best_;
   }
@@ -78,9 +79,8 @@ class PieceSearch {
   void offer(const Vec3d& p, double aside) {
     const Quatd orientation = draws_.turn();
     if (aside >= nearest_) return;
-    const double low = p.z - 0.5 * piece_.bounding_radius;
     const double z = placement_.lowest_height(piece_, p.x, p.y, orientation, target_.z + nearest_,
-                                              low - depth_of(piece_, orientation));
+                                              p.z - depth_of(piece_, orientation));
     const double distance = std::hypot(aside, z - target_.z);
     if (!(distance < nearest_)) return;
     nearest_ = distance;

@@ -215,6 +215,7 @@ TEST_CASE("Pieces lie near their fragments, free of overlap between the liners",
     INFO(share);
     CHECK(height_of(found, share) == Approx(height_of(wanted, share)).margin(0.03));
   }
+  INFO(filled.rise << " " << filled.shift);
   CHECK(std::abs(filled.rise) < 0.02);
   CHECK(filled.shift < 0.06);
 }
