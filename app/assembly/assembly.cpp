@@ -2,6 +2,7 @@
 #include "app/assembly/assembly.hpp"
 
 #include "app/assembly/bad_key.hpp"
+#include "app/assembly/initial_from.hpp"
 #include "app/assembly/levels.hpp"
 #include "app/assembly/lid.hpp"
 #include "app/assembly/mesh_checks.hpp"
@@ -26,6 +27,13 @@ void check_crusher(const Case& input, Assembly& out) {
         "the drive moves nothing, because no wall gyrates; give walls.mantle the motion gyration, or the crusher "
         "a profile");
   if (input.crusher && !driven) out.notes.push_back("the case has no drivetrain: the mantle does not move");
+}
+
+double mass_of(const NewRock& rock) {
+  double mass = 0;
+  for (const NewParticle& p : rock.particles)
+    mass += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
+  return mass;
 }
 
 /// What a table of torques comes to, so that a wrong unit is seen.
@@ -135,6 +143,27 @@ void set_step(Assembly& out, const Case& input) {
   set_step(out.setup, out.step);
 }
 
+/// The filling of the chamber and the feed, whose rocks have numbers after those of the filling.
+void set_feed(Assembly& out, const Case& input) {
+  Setup& setup = out.setup;
+  for (const NewRock& rock : setup.start) out.start_mass += mass_of(rock);
+  if (!input.feed->initial_from.empty()) {
+    FillingOfCase made =
+        blaming("feed.initial_from", [&] { return filling_of(input, setup.scene, setup.library, setup.start); });
+    setup.filling = std::move(made.filling);
+    out.start_mass += counts_of(*setup.filling, setup.library).mass;
+    out.notes.push_back(std::move(made.note));
+  }
+  setup.feed = blaming("feed", [&] {
+    FeedPlan plan = feed_plan(input, setup.scene, setup.library, setup.start);
+    if (!setup.filling) return plan;
+    plan.first_rock = setup.filling->first_rock + static_cast<RockId>(setup.filling->pieces.size());
+    plan.first_particle =
+        setup.filling->first_particle + static_cast<ParticleId>(counts_of(*setup.filling, setup.library).particles);
+    return plan;
+  });
+}
+
 std::optional<Drivetrain> make_drivetrain(const Case& input) {
   if (input.drivetrain) return blaming("drivetrain", [&] { return Drivetrain(*input.drivetrain); });
   if (!input.drivetrain_fmu) return std::nullopt;
@@ -181,10 +210,7 @@ Assembly assemble(const Case& input, const AssemblyRequest& request) {
     out.notes.push_back(std::move(note));
   note_windows(out, input, request.until);
   out.setup.inspection_interval = input.output.series;
-  if (input.feed) {
-    Setup& setup = out.setup;
-    setup.feed = blaming("feed", [&] { return feed_plan(input, setup.scene, setup.library, setup.start); });
-  }
+  if (input.feed) set_feed(out, input);
   if (input.crusher) out.resolution = resolution_of(out.setup);
   if (input.crusher && input.crusher->lid) check_lid(*input.crusher->lid, out.setup);
   for (std::string& note : reach_notes(input, out.setup, end)) out.notes.push_back(std::move(note));

@@ -23,6 +23,7 @@ struct Assembly {
   std::vector<WallPicture> pictures;
   ExpectedCounts expected;
   std::optional<Resolution> resolution;  ///< of a crusher's product; none without rock that can break
+  double start_mass = 0;                 ///< of start state and filling, with a feed; less of it may find room [kg]
   std::vector<std::string> notes;        ///< repairs of input files and other remarks, for the log
 };
 

@@ -44,6 +44,13 @@ void add_start(ExpectedCounts& counts, const std::vector<NewRock>& start) {
   }
 }
 
+void add_filling(ExpectedCounts& counts, const ChamberFilling& filling, const RockLibrary& library) {
+  const FillingCounts pieces = counts_of(filling, library);
+  counts.rocks += static_cast<double>(filling.pieces.size());
+  counts.particles += static_cast<double>(pieces.particles);
+  counts.bonds += static_cast<double>(pieces.bonds);
+}
+
 void add_feed(ExpectedCounts& counts, const FeedPlan& plan, const RockLibrary& library, const MeanRock& mean,
               double duration) {
   for (const FixedRock& fixed : plan.fixed) {
@@ -111,6 +118,7 @@ ExpectedCounts expected_counts(const Setup& setup, const StepChoice& step, Preci
   counts.window_bytes =
       copies * sizeof(WallPose) * static_cast<double>(scene.walls.size()) * static_cast<double>(step.steps_per_window);
   add_start(counts, setup.start);
+  if (setup.filling) add_filling(counts, *setup.filling, setup.library);
   if (setup.feed) {
     const double density = scene.materials[static_cast<std::size_t>(scene.rock_material)].density;
     add_feed(counts, *setup.feed, setup.library, mean_rock(setup.library, density), duration);

@@ -7,9 +7,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace gyro {
 namespace {
@@ -21,6 +23,26 @@ std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& t
     if (!parsed.value) throw CLI::ValidationError(name + ": " + parsed.problem);
     if (!(*parsed.value >= 0)) throw CLI::ValidationError(name + ": must be >= 0");
     target = parsed.value;
+    return true;
+  };
+}
+
+/// The end of a run: a time, or `steady`, perhaps with a relative standard error.
+std::function<bool(const CLI::results_t&)> end_into(RunArguments& a) {
+  return [&a](const CLI::results_t& words) {
+    constexpr std::string_view steady = "steady";
+    constexpr double usual_error = 0.05;
+    const std::string& word = words.front();
+    if (!word.starts_with(steady)) return seconds_into(a.until, "--until")(words);
+    a.steady = usual_error;
+    if (word == steady) return true;
+    const ParsedNumber parsed =
+        parse_quantity(word.substr(std::min(steady.size() + 1, word.size())), Dimension::number);
+    if (word[steady.size()] != '=' || !parsed.value || !(*parsed.value > 0 && *parsed.value < 1))
+      throw CLI::ValidationError("--until: " + word +
+                                 " is not an end; give a time, steady, or steady=ERROR with a "
+                                 "relative standard error between 0 and 1, such as steady=5%");
+    a.steady = parsed.value;
     return true;
   };
 }
@@ -56,7 +78,9 @@ void add_run(CLI::App& command, RunArguments& a) {
   command.add_flag("--resume", a.resume, "continue an interrupted run");
   command.add_flag("--overwrite", a.overwrite, "start again in a directory that holds a run");
   command
-      .add_option("--until", seconds_into(a.until, "--until"), "end at this simulated time instead of time.duration")
+      .add_option("--until", end_into(a),
+                  "end at this simulated time instead of time.duration; steady or steady=ERROR: before time.duration, "
+                  "once throughput, crushing power and P80 are known to this relative standard error, default 5%")
       ->type_name("TIME");
   command
       .add_option("--max-walltime", seconds_into(a.max_walltime, "--max-walltime"),

@@ -24,12 +24,14 @@ struct Estimate {
   double bytes_at_start = 0;  ///< a batch included
   double bytes = 0;           ///< with all that the rate feeds, if nothing is discharged
   double seconds = 0;
-  bool placed = true;  ///< otherwise the counts follow from masses, and a part of the rock was tried
+  std::optional<Filled> filled;  ///< by feed.initial_from, if all of it was tried
+  bool placed = true;            ///< otherwise the counts follow from masses, and a part of the rock was tried
 };
 
 /// Measurements of a run of some windows from t = 0.
 struct Trial {
   Counts start;
+  std::optional<Filled> filled;
   std::int64_t particles;   ///< after the windows, with what the feed has brought
   double seconds_per_step;  ///< median: the first steps build neighbour lists, and others may use the machine
 };
@@ -57,7 +59,7 @@ Trial try_out(const Case& input, Setup setup, int threads) {
   } while (seconds.size() < 3 ||
            (seconds.size() < 100 && Clock::now() - start < std::chrono::duration<double>(enough_time)));
   std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2), seconds.end());
-  return {at_start, particles, seconds[seconds.size() / 2]};
+  return {at_start, simulation->filled(), particles, seconds[seconds.size() / 2]};
 }
 
 /// [kg]; 0 without a library
@@ -77,6 +79,13 @@ double thin_out(Setup& setup, const ExpectedCounts& expected) {
   const double rock = heaviest_rock(setup);
   for (double* mass : {&setup.feed->initial, &setup.feed->batch})
     *mass = std::max(share * *mass, std::min(*mass, rock));  // the feed refuses less than a rock
+  if (setup.filling) {
+    double before = 0;  // pieces, of which every 1/share-th stays
+    std::erase_if(setup.filling->pieces, [&](const Piece&) {
+      const double number = before++;
+      return std::floor(share * (number + 1)) == std::floor(share * number);
+    });
+  }
   setup.feed->fixed.resize(
       std::max<std::size_t>(setup.feed->fixed.empty() ? 0 : 1,
                             static_cast<std::size_t>(share * static_cast<double>(setup.feed->fixed.size()))));
@@ -91,6 +100,7 @@ Estimate estimate(const Case& input, const Assembly& assembly, int threads) {
   Setup setup = assembly.setup;
   e.placed = thin_out(setup, expected) == 1;
   const Trial trial = try_out(input, std::move(setup), threads);
+  if (e.placed) e.filled = trial.filled;
   const bool batch = assembly.setup.feed && assembly.setup.feed->batch > 0;
   // Counts of placed rock are exact; a batch comes later.
   e.particles = e.placed ? trial.start.particles : std::llround(expected.particles);
@@ -122,6 +132,7 @@ void add_figures(nlohmann::json& out, const Estimate& e) {
   out["bytes_free"] = free_memory().bytes;  // null where it is not known
   out["estimated_seconds"] = e.seconds;
   out["placed"] = e.placed;
+  if (e.filled) out["filled"] = {{"mass", e.filled->mass}, {"lost_mass", e.filled->lost_mass}};
 }
 
 /// The most that a run can need: how much of the feed is in the chamber at a time shows only in a run.
@@ -157,6 +168,8 @@ void print(const Case& input, const Assembly& assembly, const Estimate& e) {
   std::printf("particles      %s at the start, about %s by the end if all the feed finds room\n",
               format_count(double(e.particles)).c_str(), format_count(double(e.particles_at_end)).c_str());
   std::printf("bonds          %s at the start\n", format_count(double(e.bonds)).c_str());
+  if (e.filled)
+    std::printf("filling        %.6g kg placed, %.4g kg without room\n", e.filled->mass, e.filled->lost_mass);
   if (!e.placed)
     std::printf("estimate       the counts follow from masses; whether all rock finds room shows in a run\n");
   if (const std::vector<RockTemplate>& rocks = assembly.setup.library.rocks; !rocks.empty())

@@ -39,6 +39,7 @@ struct RunArguments {
   int threads = 0;              ///< 0: all cores
   bool resume = false, overwrite = false, quiet = false;
   std::optional<double> until, max_walltime;  ///< [s]
+  std::optional<double> steady;               ///< --until steady: relative standard error at which the run ends [-]
 };
 
 struct DescribeArguments {

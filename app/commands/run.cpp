@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
 #include "app/commands/library_wait.hpp"
+#include "app/output/steady_goal.hpp"
 #include "app/run/case_run.hpp"
 #include "app/run/stop_request.hpp"
 #include "core/base/errors.hpp"
@@ -21,16 +22,48 @@ std::optional<SavedState> state_to_resume(const Case& input, const RunDirectory&
   return {};
 }
 
+/// Whether a finished run has ended with figures as well known as is asked now.
+bool is_known_already(const Case& input, const RunDirectory& directory, double error) {
+  const SavedState saved = read_checkpoint(directory.path, input);
+  GyrationReader gyrations;
+  gyrations.restore(saved);
+  const std::vector<GyrationMeans>& all = gyrations.record().gyrations;
+  return !all.empty() && all.back().end == saved.get_one<double>("output/time") &&
+         is_known(steady_progress(gyrations.record(), sieves_of(input)), error);
+}
+
 /// Whether the directory holds a run that is finished and need not be continued; says so.
 bool nothing_to_do(const RunArguments& arguments, const Case& input, const RunDirectory& directory, double end) {
-  const double later = end - directory.simulated_seconds;
   if (directory.state != RunDirectory::State::finished) return false;
-  if (arguments.resume && later >= 1e-6 * input.coupling_interval) return false;
+  double later = end - directory.simulated_seconds;
+  if (arguments.resume && later >= 1e-6 * input.coupling_interval) {
+    if (!arguments.steady ||
+        !located(arguments.input, [&] { return is_known_already(input, directory, *arguments.steady); }))
+      return false;
+    later = 0;
+  }
   located(arguments.input, [&] { require_same_case(directory.path, input); });
   std::cerr << directory.path.string() << " holds a run that is finished at t = " << directory.simulated_seconds
             << " s; " << (later > 0 && !arguments.resume ? "--resume continues it to the later end" : "nothing to do")
             << "\n";
   return true;
+}
+
+/// Refuses --until steady for a case whose gyrations and product nobody counts.
+void require_crusher(const Case& input) {
+  if (input.crusher && (input.drivetrain || input.drivetrain_fmu)) return;
+  throw BadKey(input.crusher ? "drivetrain" : "crusher",
+               std::string("--until steady waits for throughput, power and P80 of a crusher, and the case has no ") +
+                   (input.crusher ? "drivetrain" : "crusher") + "; give --until a time, or leave it out");
+}
+
+/// Refuses a run that would write over the one that fills its chamber.
+void require_other_directory(const Case& input, const std::optional<std::filesystem::path>& out) {
+  std::error_code error;
+  if (!out || !input.feed || input.feed->initial_from.empty()) return;
+  if (std::filesystem::equivalent(*out, input.feed->initial_from.parent_path(), error))
+    throw BadKey("feed.initial_from",
+                 "feed.initial_from is the directory of this run, " + out->string() + "; give another --out");
 }
 
 int exit_code(RunStatus status) {
@@ -43,11 +76,14 @@ int run_command(const RunArguments& arguments) {
   catch_stop_signals(exit_interrupted);
   const std::optional<Case> input = load_or_complain(arguments.input);
   if (!input) return exit_bad_input;
+  located(arguments.input, [&] { require_other_directory(*input, arguments.out); });
+  if (arguments.steady) located(arguments.input, [&] { require_crusher(*input); });
   RunOptions options;
   options.directory = {arguments.out, arguments.input.file.stem().string(), arguments.resume, arguments.overwrite, {}};
   options.directory.lock = lock_run_directory(arguments.out);
   options.until = arguments.until;
   options.end = arguments.until.value_or(input->time.duration);
+  options.steady = arguments.steady;
   options.max_walltime = arguments.max_walltime;
   options.quiet = arguments.quiet;
   if (!arguments.quiet) options.library_progress = LibraryWait();

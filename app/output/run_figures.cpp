@@ -53,7 +53,8 @@ void add_product(Summary& s, const Case& input, const Assembly& assembly, const 
     s.swell_of_crumbled = swell_of_crumbled(assembly.setup.library);
 }
 
-constexpr double tph = 3.6;  // t/h in a kg/s
+constexpr double rounding = 1e-9;  // of sums of masses
+constexpr double tph = 3.6;        // t/h in a kg/s
 
 Estimate scaled(const Estimate& e, double factor) {
   return {e.value * factor, e.error * factor};
@@ -122,6 +123,11 @@ void add_figures(Summary& s, const Case& input, const Assembly& assembly, const 
   s.momentum_residual_fraction = if_finite(simulation.momentum().residual_fraction());
   s.mass_residual_fraction = mass.fed > 0 ? static_cast<double>(mass.residual()) / static_cast<double>(mass.fed) : 0;
   s.max_overlap_ratio = simulation.ledger().worst_overlap();
+  if (assembly.setup.filling) {
+    s.start_mass = simulation.start_mass();
+    const double missing = assembly.start_mass - simulation.start_mass();
+    s.start_missing = missing > rounding * assembly.start_mass ? missing : 0;
+  }
   if (simulation.feed()) {
     s.feed_mass = simulation.fed().mass;
     s.feed_waiting = simulation.fed().waiting;

@@ -4,6 +4,7 @@
 #include "app/assembly/bad_key.hpp"
 #include "app/output/laboratory.hpp"
 #include "app/output/run_figures.hpp"
+#include "app/output/steady_goal.hpp"
 #include "app/run/stop_request.hpp"
 #include "app/version.hpp"
 #include "core/base/errors.hpp"
@@ -40,8 +41,11 @@ std::unique_ptr<Simulation> CaseRun::simulation_of(const SavedState* saved) {
   auto dem = make_dem(options_.device, assembly_.setup.scene, input_.numerics.precision);
   try {
     std::vector<NewRock> start = std::exchange(assembly_.setup.start, {});  // once is enough: it is the largest part
+    std::vector<Piece> pieces;
+    if (assembly_.setup.filling) pieces = std::exchange(assembly_.setup.filling->pieces, {});
     Setup setup = assembly_.setup;
     setup.start = std::move(start);
+    if (setup.filling) setup.filling->pieces = std::move(pieces);
     return make_simulation(input_, std::move(setup), std::move(dem), saved);
   } catch (const BadKey&) {
     throw;
@@ -66,6 +70,7 @@ CaseRecord CaseRun::record() const {
 RunStatus CaseRun::run() {
   stop_after_window();
   log_.started(options_.device, assembly_.step, *simulation_);
+  if (simulation_->filled()) log_.filled(*simulation_->filled());
   if (input_.drivetrain_fmu) log_.drive_fmu(*input_.drivetrain_fmu, simulation_->unsaveable());
   if (resumed_) mark_unfinished();
   Summary summary = base_summary();
@@ -132,7 +137,7 @@ void CaseRun::loop(Summary& summary) {
     simulation.give_up_windows_when([this](double share_done) { return must_give_up(share_done); });
   summary.status = RunStatus::done;
   const double rounding = 1e-6 * assembly_.step.steps_per_window * assembly_.step.dt;
-  while (simulation.time() < options_.end - rounding) {
+  while (!is_steady(summary) && simulation.time() < options_.end - rounding) {
     window_begin_ = Clock::now();
     output_.take(simulation.advance(), simulation);
     log_.drive_events(simulation);
@@ -148,6 +153,33 @@ void CaseRun::loop(Summary& summary) {
   }
   progress.finish(progress_state());
   checkpoints_.write(simulation, output_);
+  if (options_.steady && summary.status == RunStatus::done && summary.reason.empty()) note_unsteady(summary);
+}
+
+bool CaseRun::is_steady(Summary& summary) {
+  if (!options_.steady) return false;
+  const std::vector<GyrationMeans>& gyrations = output_.gyrations().gyrations;
+  if (gyrations.empty() || gyrations.back().end != simulation_->time()) return false;
+  const SteadyProgress now = steady_progress(output_.gyrations(), simulation_->product()->sieves());
+  log_.steady(now, *options_.steady);
+  if (!is_known(now, *options_.steady)) return false;
+  char text[80];
+  std::snprintf(text, sizeof text, "steady since %.4g s, known to %.3g %%: ", now.from, 100 * *options_.steady);
+  summary.reason = text + to_text(now);
+  return true;
+}
+
+/// Says that the run has reached its end before its figures were known.
+void CaseRun::note_unsteady(Summary& summary) {
+  const SteadyProgress now = steady_progress(output_.gyrations(), simulation_->product()->sieves());
+  char text[100];
+  std::snprintf(text, sizeof text,
+                "time.duration is over before the figures are known to %.3g %%: ", 100 * *options_.steady);
+  summary.reason = text + to_text(now);
+  if (now.not_steady.empty() && now.gyrations < gyrations_of_errors)
+    summary.reason += ", from " + std::to_string(now.gyrations) + " of at least " +
+                      std::to_string(gyrations_of_errors) + " gyrations";
+  log_.not_known(summary.reason);
 }
 
 void CaseRun::require_own_directory() const {

@@ -22,6 +22,7 @@ struct RunOptions {
   RunDirectoryRequest directory;
   double end = 0;                         ///< simulated [s]
   std::optional<double> until = {};       ///< the end, if it was given in place of time.duration [s]
+  std::optional<double> steady = {};      ///< ends once the figures are known to this relative standard error [-]
   std::optional<double> max_walltime;     ///< [s]
   LibraryProgress library_progress = {};  ///< empty, or told of each rock of the library
   bool quiet = false;                     ///< prints neither progress nor summary
@@ -45,6 +46,10 @@ class CaseRun {
   CaseRecord record() const;
   void guarded_loop(Summary& summary);
   void loop(Summary& summary);
+  /// Whether the run may end because its figures are known, as options.steady asks; says so in the summary. Judged at
+  /// the ends of gyrations only, from what checkpoints keep, so that a run in parts ends at the same time.
+  bool is_steady(Summary& summary);
+  void note_unsteady(Summary& summary);
   /// Whether the window must be given up: somebody asks to stop and its end is far. @param share_done  of its steps
   bool must_give_up(double share_done) const;
   void give_up(Summary& summary);

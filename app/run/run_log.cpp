@@ -50,6 +50,19 @@ void RunLog::started(const Device& device, const StepChoice& step, const Simulat
   if (!quiet_) std::cerr << line << "\nresults in " << directory_.string() << "\n";
 }
 
+void RunLog::filled(const Filled& filled) {
+  char line[300];
+  std::snprintf(line, sizeof line,
+                "feed.initial_from: %.6g kg placed, on average %.3g mm from where they lay and %+.3g mm in height, by mass",
+                filled.mass, 1e3 * filled.shift, 1e3 * filled.rise);
+  log_.info(line);
+  if (filled.lost == 0) return;
+  std::snprintf(line, sizeof line, "feed.initial_from: %lld pieces with %.4g kg, %.2g %% of the hold-up, found no room",
+                static_cast<long long>(filled.lost), filled.lost_mass,
+                100 * filled.lost_mass / (filled.mass + filled.lost_mass));
+  log_.warning(line);
+}
+
 void RunLog::drive_fmu(const DriveFmu& fmu, const std::string& unsaveable) {
   log_.warning("the drivetrain is native code of " + fmu.file.string() + " (" + fmu.model_name +
                (fmu.generation_tool.empty() ? "" : ", " + fmu.generation_tool) +
@@ -70,6 +83,21 @@ void RunLog::drive_events(Simulation& simulation) {
 
 void RunLog::stopped(const std::string& reason) {
   log_.error(reason);
+}
+
+void RunLog::steady(const SteadyProgress& progress, double asked) {
+  constexpr double fallen = 0.8;
+  const double worst = progress.worst();
+  if (!(worst <= fallen * logged_error_) && !is_known(progress, asked)) return;
+  logged_error_ = worst;
+  char since[120];
+  std::snprintf(since, sizeof since, " (steady since %.4g s, %zu gyrations; the run ends at %.3g %%)", progress.from,
+                progress.gyrations, 100 * asked);
+  log_.info("standard errors: " + to_text(progress) + since);
+}
+
+void RunLog::not_known(const std::string& reason) {
+  log_.warning(reason);
 }
 
 void RunLog::lost_rows() {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "app/assembly/assembly.hpp"
+#include "app/output/steady_goal.hpp"
 #include "app/simulation/device.hpp"
 #include "io/run/log.hpp"
 #include "io/run/summary.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,11 +26,18 @@ class RunLog {
   void resumed(const Simulation& simulation, const std::string& writer);
   /// Logs program, device, step and size of the run.
   void started(const Device& device, const StepChoice& step, const Simulation& simulation);
+  /// Logs what filled the chamber, and warns of rock that found no room.
+  void filled(const Filled& filled);
   /// Warns that the drivetrain is native code, and that the run has no checkpoints if its state cannot be saved.
   void drive_fmu(const DriveFmu& fmu, const std::string& unsaveable);
   /// Logs messages and events of the drive since the last call.
   void drive_events(Simulation& simulation);
   void stopped(const std::string& reason);
+  /// Logs the errors of a run that goes on until they are small, once the run is steady and whenever the largest has
+  /// fallen by a fifth. @param asked  relative standard error at which the run ends [-]
+  void steady(const SteadyProgress& progress, double asked);
+  /// Warns that the run has ended before its figures were known.
+  void not_known(const std::string& reason);
   /// Warns that rows are left out.
   void lost_rows();
   /// Logs the summary as it is printed.
@@ -41,6 +50,8 @@ class RunLog {
   bool quiet_;
   Log log_;
   std::int64_t drive_events_ = 0;  ///< logged so far
+  /// Largest error when errors were last logged [-].
+  double logged_error_ = std::numeric_limits<double>::max();
 };
 
 }  // namespace gyro

@@ -3,6 +3,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/feed/feed.hpp"
+#include "core/feed/filling.hpp"
 #include "core/fragments/concave_outline.hpp"
 #include "core/fragments/fines_law.hpp"
 #include "core/fragments/sieve_curve.hpp"
@@ -35,10 +36,12 @@ struct Discharge {
 ///   Simulation run(setup, make_cpu_dem(setup.scene, Precision::mixed, 4));
 ///   while (run.time() < 1) run.advance();
 struct Setup {
-  Scene scene;                   ///< `dt` and `substeps` included
-  int steps_per_window = 1;      ///< of the longest window
-  std::vector<NewRock> start;    ///< rocks at t = 0, besides those of the feed
-  RockLibrary library;           ///< rocks that the feed draws from
+  Scene scene;                 ///< `dt` and `substeps` included
+  int steps_per_window = 1;    ///< of the longest window
+  std::vector<NewRock> start;  ///< rocks at t = 0, besides those of the feed
+  RockLibrary library;         ///< rocks that the feed draws from
+  std::optional<ChamberFilling>
+      filling;  ///< pieces of the library's rocks at t = 0, placed after `start`; not a part of the feed
   std::optional<FeedPlan> feed;  ///< needs the library
   BondStrength bond_strength;    ///< of the rocks that are fed; empty: all bonds have strength 1
   std::optional<Discharge> discharge;

@@ -86,10 +86,20 @@ void Simulation::start() {
     insert(setup_.start);
     setup_.start = {};  // they are in the scene now
   });
+  if (setup_.filling) blaming_part(SetupPart::feed, [&] { fill_chamber(); });
   for (const double mass : dem_->particles().mass) state_.start_mass += mass;
   if (feed_) blaming_part(SetupPart::feed, [&] { insert(feed_->initial(dem_->wall_poses(), dem_->particles())); });
   inspect();
   open_balances();
+}
+
+void Simulation::fill_chamber() {
+  ChamberFilling& filling = *setup_.filling;
+  filled_ =
+      fill(setup_.library, filling, setup_.scene.walls, dem_->wall_poses(), dem_->particles(), setup_.bond_strength);
+  insert(filled_->rocks);
+  filled_->rocks = {};
+  filling.pieces = {};
 }
 
 /// Steps of the next window: fewer than the longest while the exchange with the drive is too coarse.
@@ -316,6 +326,7 @@ void Simulation::restore(const SavedState& s) {
     state_.inspections = interval > 0 ? static_cast<std::int64_t>(std::floor(time() / interval * (1 + 1e-9))) : 0;
   }
   setup_.start = {};  // the saved state has the rock that is still there
+  if (setup_.filling) setup_.filling->pieces = {};
   dem_->restore(s);
   if (drivetrain_)
     drivetrain_->restore(s.get_one<DrivetrainState>("drivetrain"), s.get<std::uint8_t>("drivetrain/drive"));

@@ -67,7 +67,10 @@ class Simulation {
   /// particles that touch through a mesh wall are a verdict. Does nothing where any position is not finite.
   void inspect();
 
-  const Setup& setup() const { return setup_; }  ///< without `start`, which is in the scene
+  /// Without `start` and the pieces of `filling`, which are in the scene.
+  const Setup& setup() const { return setup_; }
+  /// What setup.filling has come to, without the rocks; none without it, and where the simulation continues.
+  const std::optional<Filled>& filled() const { return filled_; }
   double time() const { return static_cast<double>(state_.step) * setup_.scene.dt; }  ///< [s]
   const Dem& dem() const { return *dem_; }
   const Ledger& ledger() const { return ledger_; }
@@ -80,7 +83,7 @@ class Simulation {
   /// The estimate of what is finer than particles; empty unless setup.discharge asks for it.
   const std::optional<Fines>& fines() const { return fines_; }
   FeedAccount fed() const;
-  double start_mass() const { return state_.start_mass; }  ///< of setup.start [kg]
+  double start_mass() const { return state_.start_mass; }  ///< of setup.start and setup.filling [kg]
   double discharged_mass() const;                          ///< since the start [kg]
   double escaped_mass() const;                             ///< over the rim since the start [kg]
   double escaped_fraction() const;                         ///< of the mass fed or there at the start [-]
@@ -132,6 +135,7 @@ class Simulation {
   };
 
   void start();
+  void fill_chamber();
   void restore(const SavedState& saved);
   int steps_ahead(int max_steps) const;
   void advance_rock(const Window& window, const MantlePath& path);
@@ -149,6 +153,7 @@ class Simulation {
   std::unique_ptr<Dem> dem_;
   std::optional<Drivetrain> drivetrain_;
   std::optional<Feed> feed_;
+  std::optional<Filled> filled_;
   std::optional<Product> product_;
   std::optional<HoldUp> hold_up_;
   std::optional<Fines> fines_;

@@ -171,6 +171,7 @@ CaseFeed feed_of(const Setting& section, const std::vector<CaseWall>& walls) {
   CaseFeed feed;
   feed.initial = number_if(section, "initial").value_or(0);
   feed.initial_top = number_if(section, "initial_top");
+  if (const Setting* from = section.find("initial_from")) feed.initial_from = from->texts.at(0);
   feed.rate = number_if(section, "rate").value_or(0);
   feed.start = section.number("start");
   feed.mass = number_if(section, "mass");

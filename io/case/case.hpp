@@ -63,14 +63,15 @@ struct CaseRocks {
 /// `feed`, in one of three forms: a continuous feed (initial, rate), a batch (mass), or rocks placed at a point (rocks,
 /// at).
 struct CaseFeed {
-  double initial = 0;                 ///< mass in the chamber at t = 0 [kg]
-  std::optional<double> initial_top;  ///< the initial charge lies below this height [m]
-  double rate = 0;                    ///< [kg/s]
-  double start = 0;                   ///< time at which the feed starts or the batch is dropped [s]
-  std::optional<double> mass;         ///< of the batch [kg]
-  int rocks = 0;                      ///< number of rocks placed, in the order of the library
-  Vec3d at{0, 0, 0};                  ///< centre of mass of the first rock; the others are stacked above it [m]
-  Index above = none;                 ///< wall above which rocks appear, index in Case::walls
+  double initial = 0;                  ///< mass in the chamber at t = 0 [kg]
+  std::optional<double> initial_top;   ///< the initial charge lies below this height [m]
+  std::filesystem::path initial_from;  ///< checkpoint of the run whose hold-up fills the chamber; empty: none
+  double rate = 0;                     ///< [kg/s]
+  double start = 0;                    ///< time at which the feed starts or the batch is dropped [s]
+  std::optional<double> mass;          ///< of the batch [kg]
+  int rocks = 0;                       ///< number of rocks placed, in the order of the library
+  Vec3d at{0, 0, 0};                   ///< centre of mass of the first rock; the others are stacked above it [m]
+  Index above = none;                  ///< wall above which rocks appear, index in Case::walls
 };
 
 /// Shape from an STL or OBJ file; the path is absolute.
@@ -236,6 +237,13 @@ struct CaseDifference {
 /// The first key in which two resolved cases differ. Keys that a continued run may change are not compared:
 /// time.duration, output.series, output.snapshots and output.checkpoints.
 std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other);
+
+/// The first key at or below `section` (as "materials.rock") in which two resolved cases differ.
+std::optional<CaseDifference> difference_in(const std::string& section, const std::string& resolved,
+                                            const std::string& other);
+
+/// Whether a resolved case has a section or a key, as "crusher".
+bool has_key(const std::string& resolved, const std::string& key);
 
 /// Square table materials x materials for Scene::pairs. Pairs without an entry in `contacts` keep the defaults of
 /// PairProperties.

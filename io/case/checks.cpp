@@ -195,6 +195,17 @@ void check_machine(const Setting& root, CaseProblems& log) {
     log.add(start->mark, "a motor of constant speed cannot start from rest; use start: running");
 }
 
+/// A hold-up that is taken over is the whole charge of a crusher.
+void check_initial_from(const Setting& root, const Setting& feed, CaseProblems& log) {
+  const Setting* from = feed.find("initial_from");
+  if (from == nullptr) return;
+  for (const char* key : {"initial", "initial_top"})
+    if (const Setting* extra = feed.find(key))
+      log.add(extra->mark, std::string("feed.") + key + " cannot be combined with feed.initial_from; give one of them");
+  if (root.lacks("crusher"))
+    log.add(from->mark, "feed.initial_from fills the chamber of a crusher; add the section crusher, or use particles");
+}
+
 /// Checks that the feed has exactly one of its three forms.
 void check_feed(const Setting& root, CaseProblems& log) {
   const Setting* feed = root.find("feed");
@@ -208,16 +219,17 @@ void check_feed(const Setting& root, CaseProblems& log) {
                                  "; give exactly one of: initial with rate, mass, or rocks with at");
   };
   if (has("rocks") || has("at")) {
-    refuse(has("rocks") ? "rocks" : "at", {"initial", "initial_top", "rate", "mass", "above"});
+    refuse(has("rocks") ? "rocks" : "at", {"initial", "initial_from", "initial_top", "rate", "mass", "above"});
     if (const Setting* start = feed->find("start"); start != nullptr && start->numbers[0] != 0)
       log.add(start->mark, "placed rocks are present from t = 0; remove feed.start");
     if (feed->lacks("rocks") || feed->lacks("at"))
       log.add(feed->mark, "feed.rocks and feed.at belong together; give both");
     return;
   }
+  check_initial_from(root, *feed, log);
   if (has("mass")) {
-    refuse("mass", {"initial", "initial_top", "rate"});
-  } else if (feed->lacks("initial") && feed->lacks("rate") && feed->lacks("mass")) {
+    refuse("mass", {"initial", "initial_from", "initial_top", "rate"});
+  } else if (feed->lacks("initial") && feed->lacks("initial_from") && feed->lacks("rate") && feed->lacks("mass")) {
     log.add(feed->mark, "feed has no amount; give exactly one of: initial with rate, mass, or rocks with at");
   }
   if (const Setting* above = feed->find("above")) {

@@ -39,8 +39,16 @@ void resolve_paths(Setting& setting, const fs::path& folder, CaseProblems& probl
   if (setting.key == nullptr || (setting.key->type != KeyType::file && setting.key->type != KeyType::files)) return;
   for (std::size_t k = 0; k < setting.texts.size(); ++k) {
     const Mark mark = k < setting.item_marks.size() ? setting.item_marks[k] : setting.mark;
-    const fs::path path = (folder / setting.texts[k]).lexically_normal();
+    fs::path path = (folder / setting.texts[k]).lexically_normal();
     std::error_code error;
+    if (setting.key->path == "feed.initial_from" && fs::is_directory(path, error)) {  // of a run
+      path = (path / "checkpoint.h5").lexically_normal();
+      if (!fs::exists(path, error)) {
+        problems.add(mark, setting.name + ": \"" + setting.texts[k] +
+                               "\" is a directory without checkpoint.h5; give the directory of a run that wrote one");
+        continue;
+      }
+    }
     const fs::file_status status = fs::status(path, error);
     const std::string name = setting.name + ": \"" + setting.texts[k] + "\"";
     if (!fs::exists(status))

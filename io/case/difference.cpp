@@ -41,9 +41,15 @@ std::map<std::string, std::string> values_of(const std::string& resolved) {
   return values;
 }
 
+/// Whether a key is the section or lies in it; "" is the whole case.
+bool lies_in(const std::string& section, const std::string& key) {
+  return section.empty() || key == section || key.starts_with(section + ".");
+}
+
 }  // namespace
 
-std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other) {
+std::optional<CaseDifference> difference_in(const std::string& section, const std::string& resolved,
+                                            const std::string& other) {
   const std::map<std::string, std::string> a = values_of(resolved), b = values_of(other);
   const auto value = [](const auto& values, const std::string& key) {
     const auto found = values.find(key);
@@ -51,8 +57,19 @@ std::optional<CaseDifference> difference(const std::string& resolved, const std:
   };
   for (const auto* values : {&a, &b})
     for (const auto& [key, text] : *values)
-      if (value(a, key) != value(b, key)) return CaseDifference{key, value(a, key), value(b, key)};
+      if (lies_in(section, key) && value(a, key) != value(b, key))
+        return CaseDifference{key, value(a, key), value(b, key)};
   return {};
+}
+
+std::optional<CaseDifference> difference(const std::string& resolved, const std::string& other) {
+  return difference_in("", resolved, other);
+}
+
+bool has_key(const std::string& resolved, const std::string& key) {
+  for (const auto& [known, value] : values_of(resolved))
+    if (lies_in(key, known)) return true;
+  return false;
 }
 
 std::string input_digests(const Setting& setting, CaseProblems& problems) {

@@ -87,12 +87,9 @@ void write_state(const fs::path& path, const SavedState& state) {
   }
 }
 
-SavedState read_state(const fs::path& path) {
+SavedState read_state(const fs::path& path, const std::string& advice) {
   if (!fs::exists(path)) refuse(path, "there is no such checkpoint; give the directory of a run that wrote one");
-  if (!is_sealed(path))
-    refuse(path,
-           "is damaged, not a checkpoint, or one of an older version of gyrosim; restore the file, or use --overwrite "
-           "to start the run again");
+  if (!is_sealed(path)) refuse(path, "is damaged, not a checkpoint, or one of an older version of gyrosim; " + advice);
   std::uint64_t format = 0;
   try {
     const hdf5::File file = hdf5::File::open_closed(path);
@@ -103,13 +100,10 @@ SavedState read_state(const fs::path& path) {
       return state;
     }
   } catch (const std::exception& problem) {
-    refuse(path, std::string("is damaged or not a checkpoint (") + problem.what() +
-                     "); restore the file, or use --overwrite to start the run again");
+    refuse(path, std::string("is damaged or not a checkpoint (") + problem.what() + "); " + advice);
   }
-  refuse(
-      path,
-      "has format " + std::to_string(format) + "; format " + std::to_string(state_format) +
-          " is needed: continue with the version of gyrosim that wrote it, or use --overwrite to start the run again");
+  refuse(path, "has format " + std::to_string(format) + "; format " + std::to_string(state_format) +
+                   " is needed: use the version of gyrosim that wrote it, or " + advice);
 }
 
 }  // namespace gyro

@@ -4,6 +4,7 @@
 #include "core/base/saved_state.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace gyro {
 
@@ -16,6 +17,8 @@ inline constexpr std::uint64_t state_format = 9;
 void write_state(const std::filesystem::path& path, const SavedState& state);
 
 /// Reads a state. @throws BadInput, with the path, for a file that is missing, cut off, damaged or of another format
-SavedState read_state(const std::filesystem::path& path);
+/// @param advice  what to do about a file that cannot be read
+SavedState read_state(const std::filesystem::path& path,
+                      const std::string& advice = "restore the file, or use --overwrite to start the run again");
 
 }  // namespace gyro

@@ -80,7 +80,7 @@ struct LaboratoryFigures {
 /// The results of a run. A quantity that the case does not define, or that is not finite, is null in JSON.
 struct Summary {
   RunStatus status = RunStatus::failed;
-  std::string reason = {};  ///< why the run is not done; empty if it is
+  std::string reason = {};  ///< why the run is not done, or with --until steady why it is; else empty
   std::string title = {}, version = {}, git_hash = {}, device = {}, precision = {};
   int threads = 0;
   double simulated_seconds = 0, wall_seconds = 0;
@@ -91,6 +91,8 @@ struct Summary {
   double hold = 0;                                  ///< from one evaluation of contact forces to the next [s]
   std::optional<std::int64_t> particles = {};       ///< in the scene at the end
   std::optional<std::int64_t> bonds_initial = {}, bonds_broken = {};
+  std::optional<double> start_mass = {};     ///< placed by feed.initial_from, with that of `particles` [kg]
+  std::optional<double> start_missing = {};  ///< found no room [kg]
   std::optional<double> feed_mass = {}, discharged_mass = {};  ///< [kg]
   std::optional<double> escaped_mass = {};                     ///< left over the rim; not a part of the product [kg]
   std::optional<double> escaped_fraction = {};                 ///< of the mass fed or present at the start [-]

@@ -6,6 +6,7 @@
 namespace gyro {
 namespace {
 
+constexpr const char* with_filling = "with feed.initial_from";
 constexpr const char* with_feed = "with a feed";
 constexpr const char* with_crusher = "with a crusher";
 constexpr const char* with_product = "with a crusher that has discharged";
@@ -23,8 +24,8 @@ const std::vector<Figure<Summary>>& summary_figures() {
       {.name = "reason",
        .units = "-",
        .value = text_or_null<&Summary::reason>,
-       .description = "why the run is not done",
-       .when = "unless done"},
+       .description = "why the run is not done; of a run with --until steady also why it is done",
+       .when = "unless done, or with --until steady"},
       {.name = "title", .units = "-", .value = field<&Summary::title>, .description = "title of the case"},
       {.name = "simulated_seconds",
        .units = "s",
@@ -34,6 +35,17 @@ const std::vector<Figure<Summary>>& summary_figures() {
        .units = "s",
        .value = field<&Summary::wall_seconds>,
        .description = "wall-clock time, including the earlier parts of a resumed run"},
+      {.name = "start_mass",
+       .units = "kg",
+       .value = field<&Summary::start_mass>,
+       .description = "mass of the start state: placed by feed.initial_from, with that of `particles`",
+       .when = with_filling,
+       .line = [](const Summary& s) { return mass_line("at the start", s.start_mass); }},
+      {.name = "start_missing",
+       .units = "kg",
+       .value = field<&Summary::start_missing>,
+       .description = "mass that feed.initial_from found in the other run and had no room for",
+       .when = with_filling},
       {.name = "feed_mass",
        .units = "kg",
        .value = field<&Summary::feed_mass>,
