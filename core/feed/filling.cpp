@@ -111,6 +111,7 @@ NewRock made_of(const RockTemplate& piece, const RockPose& pose, RockId number, 
   NewRock rock;
   rock.id = piece.centres.size() > 1 ? number : none;
   rock.substeps = piece.substeps;
+  rock.load_table = piece.load_table;
   for (std::size_t k = 0; k < piece.centres.size(); ++k)
     rock.particles.push_back({first + static_cast<ParticleId>(k),
                               pose.position + rotate(pose.orientation, piece.centres[k]),
