@@ -5,9 +5,8 @@
 
 namespace gyro {
 
-void FinesTally::add(const std::vector<double>& sieves, const FinesLaw& law, const FragmentOrigin& origin, double size,
-                     double fragment_mass) {
-  const FragmentFines curve(law, origin);
+void FinesTally::add(const std::vector<double>& sieves, const FragmentFines& curve, double size, double fragment_mass) {
+  const FragmentOrigin& origin = curve.origin();
   sieve_mass.resize(sieves.size() + 1);
   mass += fragment_mass;
   energy += origin.energy * fragment_mass;
@@ -68,19 +67,26 @@ void Fines::update(const FragmentTable& table, const ParticleSnapshot& particles
                    const Product& product, const HoldUp& hold_up) {
   const std::vector<double> energies = history_.energies(particles);
   hold_up_ = {};
+  std::vector<Known> known;
+  auto before = known_.begin();
   auto gone = left.begin();  // in the order of the table
   for (std::size_t row = 0; row < table.size(); ++row) {
     const Fragment& f = table.rows[row];
     const ParticleId first = particles.id[static_cast<std::size_t>(f.first_particle)];
     if (gone != left.end() && gone->id == first) {
       if (gone->place == Product::discharged)
-        product_.add(sieves_, law_, origin_of(table, row, particles, energies), gone->size, f.mass);
+        product_.add(sieves_, FragmentFines(law_, origin_of(table, row, particles, energies)), gone->size, f.mass);
       ++gone;
     } else if (!product.has_left(first)) {
       const double size = f.particles == 1 ? equal_mass_diameter(f.mass, rock_density_) : hold_up.size_of(first);
-      hold_up_.add(sieves_, law_, origin_of(table, row, particles, energies), size, f.mass);
+      const FragmentOrigin origin = origin_of(table, row, particles, energies);
+      while (before != known_.end() && before->first < first) ++before;
+      const bool same = before != known_.end() && before->first == first && before->fines.origin() == origin;
+      known.push_back({first, same ? before->fines : FragmentFines(law_, origin)});
+      hold_up_.add(sieves_, known.back().fines, size, f.mass);
     }
   }
+  known_ = std::move(known);
 }
 
 }  // namespace gyro

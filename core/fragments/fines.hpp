@@ -48,8 +48,7 @@ struct FinesTally {
   /// Adds a fragment of this sieve size [m] and mass [kg]. What is finer than its resolution comes from its own class,
   /// so that the sum over the sieves is the mass.
   /// @param sieves  the same in all calls
-  void add(const std::vector<double>& sieves, const FinesLaw& law, const FragmentOrigin& origin, double size,
-           double fragment_mass);
+  void add(const std::vector<double>& sieves, const FragmentFines& curve, double size, double fragment_mass);
   FinesRow row(const std::vector<double>& sieves, const FinesLaw& law) const;
 };
 
@@ -96,6 +95,13 @@ class Fines {
   State state() const { return {history_.state(), product_, hold_up_}; }
 
  private:
+  /// The curve of a fragment of the hold-up. Its family of t_n takes most of the time of an update, and few fragments
+  /// change between two updates.
+  struct Known {
+    ParticleId first;
+    FragmentFines fines;
+  };
+
   FragmentOrigin origin_of(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles,
                            const std::vector<double>& energies) const;
 
@@ -104,6 +110,7 @@ class Fines {
   std::vector<double> sieves_;
   RockHistory history_;
   FinesTally product_, hold_up_;
+  std::vector<Known> known_;  ///< of the last update, by ascending id; no result depends on it
 };
 
 }  // namespace gyro

@@ -46,6 +46,8 @@ struct FragmentOrigin {
   double resolution = 0;  ///< equal-mass diameter of its heaviest particle [m]
   double energy = 0;      ///< elastic energy that its bonds released / its mass [J/kg]
   bool single = false;    ///< it is one particle
+
+  friend bool operator==(const FragmentOrigin&, const FragmentOrigin&) = default;
 };
 
 /// t10 [-]. @param energy  released [J/kg]; below 0 as 0: the last half step of a bond that breaks may take more than
@@ -89,6 +91,7 @@ class FragmentFines {
   /// t10 of its energy [-]; none with another law.
   std::optional<double> t10() const { return t10_; }
   bool any() const { return any_; }  ///< whether it has fines at all
+  const FragmentOrigin& origin() const { return origin_; }
 
  private:
   FragmentOrigin origin_;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 namespace gyro {
 namespace {
@@ -16,13 +18,14 @@ Index place_of(const std::vector<Key>& keys, Key key) {
   return found == keys.end() || *found != key ? none : static_cast<Index>(found - keys.begin());
 }
 
-/// Adds a key with its value to ascending keys. New keys are nearly always the largest.
+/// Brings keys into ascending order, each with its value. New keys are nearly always the largest.
 template <class Key>
-void insert(std::vector<Key>& keys, std::vector<double>& values, Key key, double value) {
-  const auto at = keys.empty() || keys.back() < key ? keys.end() : std::lower_bound(keys.begin(), keys.end(), key);
-  const auto place = at - keys.begin();
-  keys.insert(at, key);
-  values.insert(values.begin() + place, value);
+void sort(std::vector<Key>& keys, std::vector<double>& values) {
+  if (std::is_sorted(keys.begin(), keys.end())) return;
+  std::vector<std::pair<Key, double>> rows;
+  for (std::size_t k = 0; k < keys.size(); ++k) rows.emplace_back(keys[k], values[k]);
+  std::sort(rows.begin(), rows.end());
+  for (std::size_t k = 0; k < keys.size(); ++k) std::tie(keys[k], values[k]) = rows[k];
 }
 
 /// Drops the keys that are not to be kept. @param keep  of a key
@@ -45,10 +48,14 @@ void RockHistory::feed(std::span<const NewRock> rocks) {
     double mass = 0;
     for (const NewParticle& p : rock.particles) {
       mass += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
-      insert(state_.particle, state_.energy, p.id, 0.0);
+      state_.particle.push_back(p.id);
+      state_.energy.push_back(0);
     }
-    insert(state_.rock, state_.size, rock.id, equal_mass_diameter(mass, rock_density_));
+    state_.rock.push_back(rock.id);
+    state_.size.push_back(equal_mass_diameter(mass, rock_density_));
   }
+  sort(state_.particle, state_.energy);
+  sort(state_.rock, state_.size);
 }
 
 void RockHistory::give(ParticleId id, double energy) {

@@ -55,6 +55,29 @@ TEST_CASE("A crusher that lets through what is fed becomes steady, with its figu
   CHECK(place.gyrosim("report r").out == outcome.out);
 }
 
+TEST_CASE("A steady run has P80 and P50 with fines and their errors, in one part or in two") {
+  const Workplace place;
+  // Weak bonds, so that most rocks break into single particles.
+  const std::string run = "run " GYRO_APP_CASES
+                          "/steady.yaml --set materials.rock.shear_modulus=30MPa --set time.safety=0.35 --set "
+                          "'bonds={normal_stiffness: 300 GPa/m, shear_stiffness: 120 GPa/m, tensile_strength: 1 MPa, "
+                          "shear_strength: 0.7 MPa, radius: {relative: 0.5}}' "
+                          "--set 'output.fines={gates_gaudin_schuhmann: {m: 0.8}}' --out ";
+  REQUIRE(place.gyrosim(run + "whole --until '1.8 s'").code == 0);
+  const nlohmann::json found = summary_of(place.path() / "whole")["steady"];
+  REQUIRE(found.is_object());
+  for (const std::string figure : {"p80", "p50"}) {
+    CHECK(found[figure + "_with_fines"] < found[figure]);
+    CHECK(found[figure + "_with_fines"] >
+          0.42 * found[figure].get<double>());  // median of a tail of m = 0.8 / its size
+    CHECK(found[figure + "_with_fines_error"] > 0);
+    CHECK(found[figure + "_with_fines_error"] < 0.2 * found[figure].get<double>());
+  }
+  REQUIRE(place.gyrosim(run + "parts --until '0.9 s'").code == 0);
+  REQUIRE(place.gyrosim(run + "parts --until '1.8 s' --resume").code == 0);
+  CHECK(summary_of(place.path() / "parts")["steady"] == found);
+}
+
 TEST_CASE("The same crusher is not steady while it fills") {
   const Workplace place;
   const Outcome outcome = place.gyrosim("run " + steady + "--until '0.8 s'");

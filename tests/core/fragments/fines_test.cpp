@@ -100,7 +100,7 @@ TEST_CASE("A broken bond gives half of its energy to each of its particles, unti
 TEST_CASE("What is finer than the particles is taken from the class of its fragment, and no mass is lost", "[fines]") {
   const FragmentOrigin origin{.rock_size = 0.1, .resolution = 0.015, .energy = energy_of_ore};
   FinesTally tally;
-  tally.add(sieves, ore, origin, 0.03, 2.0);
+  tally.add(sieves, FragmentFines(ore, origin), 0.03, 2.0);
   const double t10 = t10_of(ore, energy_of_ore);
   const TnFamily family = tn_family(t10);
   CHECK(sum(tally.sieve_mass) == Approx(2).epsilon(1e-15));
@@ -117,7 +117,8 @@ TEST_CASE("What is finer than the particles is taken from the class of its fragm
   CHECK(*row.t10 == Approx(t10));
   CHECK(*row.energy == Approx(energy_of_ore));
   CHECK(*row.beyond_share == 0);
-  tally.add(sieves, ore, {.rock_size = 0.1, .resolution = 0.015, .energy = 40 * energy_of_ore}, 0.015, 6.0);
+  const FragmentOrigin hard_hit{.rock_size = 0.1, .resolution = 0.015, .energy = 40 * energy_of_ore};
+  tally.add(sieves, FragmentFines(ore, hard_hit), 0.015, 6.0);
   CHECK(*tally.row(sieves, ore).beyond_share == Approx(0.75));
   CHECK(sum(tally.sieve_mass) == Approx(8).epsilon(1e-15));
   CHECK_FALSE(FinesTally{}.row(sieves, ore).share);
@@ -178,6 +179,29 @@ TEST_CASE("Escaped rock is not in the estimate, and discharged rock keeps the en
   energise(chamber.fines, out, chamber.p.mass[0], energy_of_ore);  // it breaks further below
   chamber.update();
   CHECK(chamber.fines.product().passing == row.passing);
+}
+
+TEST_CASE("The estimate of the hold-up follows its rock when that breaks or leaves", "[fines]") {
+  Chamber chamber(ore);
+  const NewRock first = chamber.add(3, 0.009, 1), second = chamber.add(4, 0.009, 1);
+  energise(chamber.fines, first, chamber.p.mass[0], energy_of_ore);
+  const auto as_new = [&] {
+    const FragmentTable table = fragment_table(chamber.p);
+    Fines fresh(ore, rock_density, sieves, chamber.fines.state());
+    fresh.update(table, chamber.p, {}, chamber.product, chamber.hold_up);
+    return fresh.hold_up();
+  };
+  const auto check = [&](double energy) {
+    chamber.update();
+    CHECK(chamber.fines.hold_up().passing == as_new().passing);
+    CHECK(*chamber.fines.hold_up().energy == Approx(energy));
+  };
+  check(energy_of_ore * 3 / 7);
+  check(energy_of_ore * 3 / 7);
+  energise(chamber.fines, second, chamber.p.mass[0], energy_of_ore);
+  check(energy_of_ore);
+  for (const std::size_t k : {0u, 1u, 2u}) chamber.p.position[k].z -= 2;  // the first leaves
+  check(energy_of_ore);
 }
 
 TEST_CASE("An estimate continues from its saved state with the same bits", "[fines]") {
