@@ -19,7 +19,7 @@ namespace {
 
 /// The columns of a saved run that its fragments follow from.
 struct SavedRock {
-  std::vector<Vec3d> centre;
+  std::vector<Vec3d> centre, velocity;
   std::vector<double> radius, mass;
   std::vector<ParticleId> id;
   std::vector<Index> block;  ///< of each particle
@@ -29,6 +29,7 @@ struct SavedRock {
 
   explicit SavedRock(const SavedState& s)
       : centre(s.get<Vec3d>("particles/position/centre")),
+        velocity(s.get<Vec3d>("particles/motion/velocity", centre.size())),
         radius(s.get<double>("particles/position/radius", centre.size())),
         mass(s.get<double>("particles/motion/mass", centre.size())),
         id(s.get<ParticleId>("particles/id", centre.size())),
@@ -134,6 +135,7 @@ std::vector<SourceFragment> hold_up_of(const SavedState& state, double angle) {
     const auto n = static_cast<std::size_t>(mine);
     SourceFragment& f = fragments[n];
     f.centre = f.centre + rock.mass[k] * rock.centre[k];
+    f.velocity = f.velocity + rock.mass[k] * rock.velocity[k];
     f.mass += rock.mass[k];
     volume[n] += std::pow(rock.radius[k], 3);
     f.single = ++particles[n] == 1;
@@ -142,6 +144,7 @@ std::vector<SourceFragment> hold_up_of(const SavedState& state, double angle) {
   for (std::size_t n = 0; n < fragments.size(); ++n) {
     SourceFragment& f = fragments[n];
     f.centre = turned((1 / f.mass) * f.centre, angle);
+    f.velocity = turned((1 / f.mass) * f.velocity, angle);
     f.radius = std::cbrt(volume[n]);
   }
   return fragments;

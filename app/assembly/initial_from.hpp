@@ -15,7 +15,7 @@ namespace gyro {
 // feed.initial_from: the chamber is filled from the checkpoint of another run.
 
 /// The fragments of a saved run that have not left its chamber, in the order of their first particles.
-/// @param angle  about z by which positions are turned [rad]
+/// @param angle  about z by which positions and velocities are turned [rad]
 /// @throws BadInput for the state of a run without a crusher
 std::vector<SourceFragment> hold_up_of(const SavedState& state, double angle);
 

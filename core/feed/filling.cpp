@@ -172,7 +172,10 @@ Filled fill(const RockLibrary& library, const ChamberFilling& filling, std::span
     filled.shift += piece.mass * norm(pose->position - piece.target);
     filled.rise += piece.mass * (pose->position.z - piece.target.z);
     made[k] = made_of(part, *pose, number, first[k], strength);
-    for (const NewParticle& p : made[k]->particles) bed.add(p.position, p.radius);
+    for (NewParticle& p : made[k]->particles) {
+      p.velocity = piece.velocity;
+      bed.add(p.position, p.radius);
+    }
   }
   if (filled.mass > 0) filled.shift /= filled.mass, filled.rise /= filled.mass;
   for (std::optional<NewRock>& rock : made)

@@ -45,7 +45,7 @@ struct Filled {
 /// takes the one nearest to the target; a position is the lowest free height from the target on, or from up to its
 /// radius below, with at least `clearance` to all spheres and walls. If none is nearer than twice its radius, it tries
 /// a circle of four times its radius, and then the whole section of the chamber at the height of the target and above.
-/// What finds no room there is lost. All pieces are at rest.
+/// What finds no room there is lost. Pieces do not rotate.
 /// @param poses     of the walls at t = 0
 /// @param present   particles in the scene
 /// @param strength  empty: the factor is 1 for every bond

@@ -109,7 +109,7 @@ class Cutter {
       const double room = std::max(0.0, fragment.radius - rock.radii[particle]);  // of a larger one it replaces
       pieces_.push_back({static_cast<Index>(kind),
                          rock.centres.size() == 1 ? std::vector<Index>{} : std::vector{static_cast<Index>(particle)},
-                         fragment.centre + room * in_ball(number()), mass, 0});
+                         fragment.centre + room * in_ball(number()), mass, 0, fragment.velocity});
     }
   }
 
@@ -132,6 +132,7 @@ class Cutter {
       const RockTemplate& rock = *rocks_[static_cast<std::size_t>(piece.rock)].rock;
       for (const TemplateBond& b : rock.bonds) piece.bonds += has(piece, b.i) && has(piece, b.j) ? 1 : 0;
       piece.target = target;
+      piece.velocity = fragment.velocity;
       owed -= piece.mass;
       target = fragment.centre + fragment.radius * in_ball(number());
       pieces_.push_back(std::move(piece));

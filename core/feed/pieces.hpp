@@ -11,11 +11,12 @@ namespace gyro {
 
 /// A fragment of the hold-up of another run.
 struct SourceFragment {
-  Vec3d centre;         ///< of mass [m]
-  double mass;          ///< [kg]
-  double radius;        ///< of the sphere about the centre that has its volume [m]
-  bool single = false;  ///< one particle
-  bool whole = false;   ///< a rock of which no bond has failed
+  Vec3d centre;             ///< of mass [m]
+  double mass;              ///< [kg]
+  double radius;            ///< of the sphere about the centre that has its volume [m]
+  bool single = false;      ///< one particle
+  bool whole = false;       ///< a rock of which no bond has failed
+  Vec3d velocity{0, 0, 0};  ///< of the centre of mass [m/s]
 };
 
 /// A connected part of a rock of the library, and where it should lie.
@@ -25,6 +26,7 @@ struct Piece {
   Vec3d target{0, 0, 0};              ///< of its centre of mass [m]
   double mass = 0;                    ///< [kg]
   Index bonds = 0;                    ///< number of them
+  Vec3d velocity{0, 0, 0};            ///< that of its fragment [m/s]
 };
 
 /// Pieces of the library's rocks for the fragments of another run, one after the other from the lowest to the highest.

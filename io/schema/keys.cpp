@@ -174,7 +174,7 @@ const std::vector<Key> rock_keys = {
      .doc = "Directory of another run, or its checkpoint.h5: the chamber is filled at t = 0 by what that run holds up there, in place of feed.initial. "
             "Each of its fragments is replaced, where it lies, by a connected part of this case's rocks of the same mass with intact bonds of new "
             "strengths, whole rocks by whole rocks, single particles by single particles; masses that this case's particles cannot give are carried "
-            "over to the next fragment above. The positions are turned to where the mantle starts. A piece that finds no room lies above; all rock is at rest. "
+            "over to the next fragment above. Positions and velocities are turned to where the mantle starts. A piece that finds no room lies above. "
             "The other run may have other liners, settings, fill, sizes and drive, but the same materials.rock."},
     {.path = "feed.initial_top", .type = quantity, .dimension = length, .doc = "Height z below which the initial charge lies."},
     {.path = "feed.rate", .type = quantity, .dimension = mass_flow, .range = not_negative, .doc = "Mass flow of the feed."},

@@ -29,6 +29,8 @@ TEST_CASE("A saved run gives the fragments that are in its chamber, turned about
     CHECK(s.mass == Approx(f.mass));
     CHECK(norm(s.centre - Vec3d{-f.centre.y, f.centre.x, f.centre.z}) < 1e-12);
     CHECK(s.single == (f.particles == 1));
+    const Vec3d v = particles.velocity[static_cast<std::size_t>(f.first_particle)];
+    if (s.single) CHECK(norm(s.velocity - Vec3d{-v.y, v.x, v.z}) < 1e-12);
     CHECK((s.radius > 0 && s.radius < f.highest - f.lowest));
     whole += s.whole ? 1 : 0;
     singles += s.single ? 1 : 0;
