@@ -26,7 +26,7 @@ RockTemplate template_of(const NewRock& rock) {
 
 /// A rock of one piece, neither too small nor too large.
 bool has_table(const RockTemplate& rock) {
-  return rock.centres.size() > 1 && rock.centres.size() <= max_rigid_particles &&
+  return rock.centres.size() > 1 && static_cast<Index>(rock.centres.size()) <= max_rigid_particles &&
          largest_piece(rock.bonds, static_cast<Index>(rock.centres.size())).size() == rock.centres.size();
 }
 
@@ -38,7 +38,7 @@ std::string note_on(const std::vector<LoadTable>& tables, std::size_t rocks) {
   char text[200];
   std::snprintf(
       text, sizeof text,
-      "numerics.levels.rigid: %zu of %zu kinds of rocks may move as rigid bodies (at most %zu particles in one "
+      "numerics.levels.rigid: %zu of %zu kinds of rocks may move as rigid bodies (at most %d particles in one "
       "piece); their load tables take %.3g MB",
       tables.size(), rocks, max_rigid_particles, 1e-6 * bytes);
   return text;

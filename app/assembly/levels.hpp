@@ -8,10 +8,6 @@
 
 namespace gyro {
 
-/// Largest number of particles in a rock that may move as a rigid body: its load table takes 152 bytes a particle and
-/// bond, 7.8 MB for 138 particles and 73 MB for 400.
-inline constexpr std::size_t max_rigid_particles = 400;
-
 /// Sets the levels of detail of the case: load tables of the library's rocks and of those of the start.
 /// @param threads  that compute them; 0: all cores
 /// @return a note on them for the log; empty without levels

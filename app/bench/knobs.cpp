@@ -56,7 +56,7 @@ KnobSetting window(double milliseconds) {
           .overrides = {"coupling.interval=" + text_of(milliseconds * 1e-3), "output=null"}};
 }
 
-/// Rocks as rigid bodies until the bound on the load of a bond passes this share of its strength.
+/// Rocks as rigid bodies until the static stress of a bond passes this share of its strength.
 KnobSetting rigid(double bonded_above) {
   return {.knob = "rigid",
           .value = text_of(bonded_above),

@@ -92,7 +92,11 @@ int run_command(const RunArguments& arguments) {
   std::optional<CaseRun> run;
   located(arguments.input, [&] {
     const std::optional<SavedState> saved = state_to_resume(*input, directory);
-    options.device = choose_device(arguments.device, arguments.threads);
+    const bool cpu_only = input->numerics.rigid.has_value();
+    options.device = choose_device(cpu_only && arguments.device == "auto" ? "cpu" : arguments.device, arguments.threads);
+    if (cpu_only && options.device.cuda)
+      throw BadKey("numerics.levels.rigid",
+                   "rocks that move as rigid bodies are computed on the CPU only; use --device cpu, or rigid: off");
     run.emplace(*input, options, saved ? &*saved : nullptr);
   });
   const RunStatus status = run->run();

@@ -52,9 +52,10 @@ void RunLog::started(const Device& device, const StepChoice& step, const Simulat
 
 void RunLog::filled(const Filled& filled) {
   char line[300];
-  std::snprintf(line, sizeof line,
-                "feed.initial_from: %.6g kg placed, on average %.3g mm from where they lay and %+.3g mm in height, by mass",
-                filled.mass, 1e3 * filled.shift, 1e3 * filled.rise);
+  std::snprintf(
+      line, sizeof line,
+      "feed.initial_from: %.6g kg placed, on average %.3g mm from where they lay and %+.3g mm in height, by mass",
+      filled.mass, 1e3 * filled.shift, 1e3 * filled.rise);
   log_.info(line);
   if (filled.lost == 0) return;
   std::snprintf(line, sizeof line, "feed.initial_from: %lld pieces with %.4g kg, %.2g %% of the hold-up, found no room",

@@ -67,6 +67,8 @@ template <class Exec, class Real>
 Counts DemSolver<Exec, Real>::counts() const {
   Counts c = monitor_.counts();
   c.particles = rock_.count();
+  if constexpr (has_levels)
+    if (rigid_.in_use()) c.rigid_particles = rigid_.count(exec_, rock_).particles;
   return c;
 }
 

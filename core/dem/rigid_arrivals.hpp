@@ -44,6 +44,7 @@ inline Body body_of(const NewRock& rock) {
   }
   body.centre = (1 / body.mass) * middle;
   body.orientation = {1, 0, 0, 0};
+  body.frame = rock.orientation;
   body.velocity = rock.particles.front().velocity;
   Symmetric inertia{{0, 0, 0}, {0, 0, 0}};
   for (const NewParticle& p : rock.particles) {

@@ -3,10 +3,13 @@
 
 #include "core/base/saved_state.hpp"
 #include "core/dem/particle_store.hpp"
+#include "core/dem/rigid_arrivals.hpp"
 #include "core/dem/scene_laws.hpp"
 #include "core/kernels/change_level.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,6 +31,7 @@ class RigidRocks {
     std::vector<std::int64_t> begin;
     for (const LoadTable& table : *level_->tables) {
       begin.push_back(static_cast<std::int64_t>(force.size()));
+      sizes_.emplace_back(table.particles, table.bonds);
       force.insert(force.end(), table.force.begin(), table.force.end());
       moment.insert(moment.end(), table.moment.begin(), table.moment.end());
       response.insert(response.end(), table.response.begin(), table.response.end());
@@ -46,7 +50,10 @@ class RigidRocks {
   void append(std::span<const NewRock> rocks) {
     if (!in_use()) return;
     RigidArrivals arrivals;
-    for (const NewRock& rock : rocks) arrivals.add(rock);
+    for (const NewRock& rock : rocks) {
+      GYRO_EXPECT(rock.load_table == none || fits(rock));
+      arrivals.add(rock);
+    }
     Exec::append(bodies_, std::move(arrivals.bodies));
     Exec::append(arms_, std::move(arrivals.arms));
     turning_.resize(bodies_.size());
@@ -98,13 +105,14 @@ class RigidRocks {
                   FreeRocks{rock.view(), rock.block_view(), bodies_.data(), scene.gravity, scene.dt});
   }
 
-  /// Looks at the bonds of intact rocks, between windows.
-  /// @param time  since the last look [s]
-  /// @return whether some of them have been calm for long enough
-  bool find_calm(Exec& exec, ParticleStore<Exec, Real>& rock, const SceneLaws<Exec, Real>& laws, double time) {
+  /// Looks at the bonds of intact rocks, at the end of a window. @param time  of the window [s]
+  void find_calm(Exec& exec, ParticleStore<Exec, Real>& rock, const SceneLaws<Exec, Real>& laws, double time) {
     exec.for_each("look whether calm", rocks(rock),
                   LookWhetherCalm<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model(),
                                         rock.block_view(), level_->rigid_below, time});
+  }
+  /// Whether some rocks have been calm for long enough.
+  bool any_calm(Exec& exec, const ParticleStore<Exec, Real>& rock) const {
     return exec.template reduce<Index>("look whether calm", rocks(rock), calm(rock)) > 0;
   }
   /// Makes them rigid. All particles have met.
@@ -115,8 +123,8 @@ class RigidRocks {
   }
 
   /// Particles, and bonds times sub-steps, that are not computed one by one.
-  RigidCount count(Exec& exec, ParticleStore<Exec, Real>& rock) const {
-    return exec.template reduce<RigidCount>("count rigid rocks", rocks(rock), CountRigid{rock.block_view()});
+  RigidCount count(Exec& exec, const ParticleStore<Exec, Real>& rock) const {
+    return exec.template reduce<RigidCount>("count rigid rocks", rocks(rock), CountRigid{rock.blocks().data()});
   }
 
   void save(SavedState& to) const {
@@ -133,9 +141,15 @@ class RigidRocks {
   }
 
  private:
+  bool fits(const NewRock& rock) const {
+    if (rock.load_table < 0 || static_cast<std::size_t>(rock.load_table) >= sizes_.size()) return false;
+    const auto& [particles, bonds] = sizes_[static_cast<std::size_t>(rock.load_table)];
+    return static_cast<std::size_t>(particles) == rock.particles.size() &&
+           static_cast<std::size_t>(bonds) == rock.bonds.size();
+  }
   static Index rocks(const ParticleStore<Exec, Real>& rock) { return static_cast<Index>(rock.blocks().size()); }
   static BlockLaunch launch(const ParticleStore<Exec, Real>& rock) { return {rocks(rock), run_length}; }
-  CalmRocks calm(ParticleStore<Exec, Real>& rock) const { return {rock.block_view(), level_->calm_time}; }
+  CalmRocks calm(const ParticleStore<Exec, Real>& rock) const { return {rock.blocks().data(), level_->calm_time}; }
 
   std::optional<RigidLevel> level_;          ///< without its tables
   std::int64_t look_every_ = 1;              ///< steps of the scene
@@ -144,6 +158,7 @@ class RigidRocks {
   Buffer<Arm> arms_;                         ///< of each particle
   Buffer<float> force_, moment_, response_;  ///< TableView
   Buffer<std::int64_t> begin_;
+  std::vector<std::pair<Index, Index>> sizes_;  ///< particles and bonds of each table
 };
 
 }  // namespace gyro

@@ -35,7 +35,7 @@ class DemSolver final : public Dem {
         accounts_(scene_.walls.size(), scene_.wall_impulses),
         ahead_(exec_) {
     if (Exec::runs_ahead && scene_.rigid)
-      throw BadInput("numerics.levels.rigid is computed on the CPU only in this version; use --device cpu");
+      throw BadInput("rocks that move as rigid bodies are computed on the CPU only");
     if (scene_.rigid) scene_.rigid->tables.reset();  // rigid_ has them
   }
 
@@ -74,7 +74,7 @@ class DemSolver final : public Dem {
   static std::int64_t step_number(const Window& window, int done);
   void begin_step(const Window& window, int done, bool together);
   void meet(const Window& window, int done);
-  void change_levels(const Window& window);
+  void change_levels();
   void end_step(bool last_of_window);
   void advance_rocks(const Advance& what);
   template <class Kernel>

@@ -30,7 +30,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path) {
   GYRO_EXPECT(window.dt == scene_.dt && window.steps > 0);
   if constexpr (has_levels)
-    if (rigid_.in_use() && primed_) change_levels(window);
+    if (rigid_.in_use() && primed_) change_levels();
   walls_.plan(scene_.walls, window, path);
   if (held()) rock_.loosen_spent_rocks(exec_, scene_.dt, scene_.gravity);
   monitor_.begin_window();
@@ -75,9 +75,10 @@ void DemSolver<Exec, Real>::meet(const Window& window, int done) {
 
 /// Where two windows meet: overloaded rocks become particles with bonds, calm ones rigid bodies.
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::change_levels(const Window& window) {
-  if (monitor_.raised().rock_overloaded) rigid_.free_overloaded(exec_, rock_, scene_), monitor_.rocks_freed();
-  if (!rigid_.find_calm(exec_, rock_, laws_, window.length())) return;
+void DemSolver<Exec, Real>::change_levels() {
+  rigid_.free_overloaded(exec_, rock_, scene_);
+  monitor_.rocks_freed();
+  if (!rigid_.any_calm(exec_, rock_)) return;
   const double before = sums().energy_in_places();
   rigid_.stiffen_calm(exec_, rock_, scene_);
   monitor_.energies().switched += before - sums().energy_in_places();
@@ -102,10 +103,10 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::begin_step(const Window& window, int done, bool together) {
   const std::int64_t before = step_number(window, done);
   advance_rocks(together ? Advance{Motions::move, before} : Advance{Motions::move_on, before - 1, 1});
-  if constexpr (!has_levels) return;
-  if (rigid_.in_use())
-    rigid_.advance(exec_, rock_, gather(), move(), !together, rigid_.looks_in(before),
-                   &monitor_.flags()->rock_overloaded);
+  if constexpr (has_levels)
+    if (rigid_.in_use())
+      rigid_.advance(exec_, rock_, gather(), move(), !together, rigid_.looks_in(before),
+                     &monitor_.flags()->rock_overloaded);
 }
 
 template <class Exec, class Real>
@@ -258,9 +259,12 @@ void DemSolver<Exec, Real>::close_window(const Window& window) {
   Counts& counts = monitor_.counts();
   counts.particle_steps += std::int64_t{rock_.count()} * window.steps;
   RigidCount rigid;
-  if constexpr (has_levels)
-    if (rigid_.in_use()) rigid = rigid_.count(exec_, rock_);
-  counts.rigid_particles = rigid.particles;
+  if constexpr (has_levels) {
+    if (rigid_.in_use()) {
+      rigid_.find_calm(exec_, rock_, laws_, window.length());
+      rigid = rigid_.count(exec_, rock_);
+    }
+  }
   counts.bond_steps += (monitor_.bonds_in_step() - rigid.bonds_in_step) * window.steps;
   monitor_.collect_breakages(rock_, window.dt);
   if (monitor_.raised().limit_exceeded) keep_excess(), monitor_.lower_limit_flag();

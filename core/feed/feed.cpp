@@ -146,6 +146,7 @@ NewRock Feed::instance(Index kind, const RockPose& pose, Bed& bed) {
   made.colour_begin = rock.colour_begin;
   made.substeps = rock.substeps;
   made.load_table = rock.load_table;
+  made.orientation = pose.orientation;
   ++state_.of_template[static_cast<std::size_t>(kind)];
   ++state_.rocks;
   state_.particles += static_cast<std::int64_t>(rock.centres.size());

@@ -112,6 +112,7 @@ NewRock made_of(const RockTemplate& piece, const RockPose& pose, RockId number, 
   rock.id = piece.centres.size() > 1 ? number : none;
   rock.substeps = piece.substeps;
   rock.load_table = piece.load_table;
+  rock.orientation = pose.orientation;
   for (std::size_t k = 0; k < piece.centres.size(); ++k)
     rock.particles.push_back({first + static_cast<ParticleId>(k),
                               pose.position + rotate(pose.orientation, piece.centres[k]),

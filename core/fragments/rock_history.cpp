@@ -51,6 +51,7 @@ void RockHistory::feed(std::span<const NewRock> rocks) {
       state_.particle.push_back(p.id);
       state_.energy.push_back(0);
     }
+    if (rock.id == none) continue;  // spheres that belong to no rock: nothing broke off them
     state_.rock.push_back(rock.id);
     state_.size.push_back(equal_mass_diameter(mass, rock_density_));
   }

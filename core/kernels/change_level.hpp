@@ -12,8 +12,9 @@ namespace gyro {
 /// Makes overloaded rigid rocks particles with bonds again, from the undeformed shape.
 ///
 /// The contact forces F of the last evaluation have dt/2 left, with h the sub-step of the rock: h/2 is the first half
-/// kick of its particles, the rest moves the body before it comes apart. So the impulse is the same, and no particle
-/// alone takes the impulse of the others.
+/// kick of its particles, the rest moves the body before it comes apart. So F keeps its impulse, as the other ends and
+/// the walls have it. The next evaluation acts from h/2 on, so that for (dt - h)/2 both act; where a rock becomes
+/// rigid, none does for that time.
 struct FreeRocks {
   ParticleView p;
   Block* blocks;
@@ -37,7 +38,8 @@ struct FreeRocks {
   }
 };
 
-/// For how long the bonds of each intact rock have been loaded less than a share of their strength.
+/// For how long the bonds of each intact rock have been loaded less than a share of their strength, as seen at the ends
+/// of windows.
 template <class Real>
 struct LookWhetherCalm {
   ConstParticleView p;
@@ -46,7 +48,7 @@ struct LookWhetherCalm {
   BondModel model;
   Block* blocks;
   double allowed;  ///< largest ratio of stress and strength [-]
-  double time;     ///< since the last look [s]
+  double time;     ///< of the window that ends [s]
 
   GYRO_HD void operator()(Index k) const {
     Block& block = blocks[k];
@@ -70,7 +72,8 @@ struct CalmRocks {
   double enough;  ///< [s]
 
   GYRO_HD Index operator()(Index k) const {
-    return !blocks[k].rigid && blocks[k].table != none && blocks[k].calm >= enough ? 1 : 0;
+    const Block& b = blocks[k];
+    return !b.rigid && b.table != none && b.state == block_intact && b.calm >= enough ? 1 : 0;
   }
 };
 
@@ -97,7 +100,8 @@ struct CountRigid {
 /// Makes calm rocks rigid. Linear and angular momentum stay, and so does the centre of mass; the shape becomes the
 /// undeformed one in the orientation that fits the particles best:
 ///
-///   Q = mean of the orientations of the particles, turned by phi that minimises sum m |x - X - Q a - phi x Q a|^2
+///   Q = mean of the orientations of the particles, by mass, turned by phi that minimises, with delta the rotations of
+///       the particles from their mean, sum m |x - X - Q a - phi x Q a|^2 + sum I |phi - delta|^2
 ///
 /// What that costs or brings of energy is the caller's to book. The contact forces of the last evaluation, of which
 /// each particle has had all but h/2, keep their impulse: F h/dt acts over dt/2 (as in LoosenSpent).
@@ -149,14 +153,12 @@ struct StiffenCalm {
       sum = {sum.w + share * q.w, sum.x + share * q.x, sum.y + share * q.y, sum.z + share * q.z};
     }
     body.orientation = normalised(sum);
-    Symmetric points{{0, 0, 0}, {0, 0, 0}};
     Vec3d moment{0, 0, 0};
-    for (Index n = particles.begin; n < particles.end; ++n) {
-      const Vec3d arm = rotate(body.orientation, arms[n].arm);
-      points.add_point(p.motion[n].mass, arm);
-      moment += p.motion[n].mass * cross(arm, p.position[n].x - body.centre);
-    }
-    body.orientation = rotated(body.orientation, inverse(points) * moment, 1.0);
+    for (Index n = particles.begin; n < particles.end; ++n)
+      moment += p.motion[n].mass * cross(rotate(body.orientation, arms[n].arm), p.position[n].x - body.centre);
+    const Symmetric inverse_inertia{body.diagonal, body.rest};
+    const Vec3d phi = rotate(body.orientation, inverse_inertia * rotate_back(body.orientation, moment));
+    body.orientation = rotated(body.orientation, phi, 1.0);
   }
 
   /// What is left of a total without bonds and weight: zero if it is their rounding.

@@ -21,8 +21,7 @@ struct TableView {
 /// its responses, for the loads that act on the particles now.
 template <class Real>
 struct StressBound {
-  static constexpr int max_loaded = 64;  ///< particles; a rock with more is taken for overloaded
-  static constexpr int at_once = 16;     ///< bonds
+  static constexpr int at_once = 16;  ///< bonds
 
   TableView tables;
   Block* blocks;
@@ -33,9 +32,9 @@ struct StressBound {
 
   /// @param p  with the loads of all particles
   GYRO_HD void look(const ParticleView& p, const Vec3d& gravity, Index k) const {
-    Loaded loaded[max_loaded];
+    Loaded loaded[max_rigid_particles];
     const int count = find_loaded(p, gravity, k, loaded);
-    if (count <= max_loaded && (is_bounded(blocks[k], loaded, count) || bears(blocks[k], loaded, count))) return;
+    if (is_bounded(blocks[k], loaded, count) || bears(blocks[k], loaded, count)) return;
     blocks[k].overloaded = 1;
     if (!is_raised(overloaded)) raise_flag(overloaded);
   }
@@ -43,21 +42,21 @@ struct StressBound {
  private:
   struct Loaded {
     std::int64_t particle;    ///< in the rock
-    float load[point_loads];  ///< frame of the rock as it came in
+    float load[point_loads];  ///< frame of the table
     float force, moment;      ///< their sizes
   };
 
-  /// @return number of loaded particles; max_loaded + 1: more than there is room for
+  /// @return number of loaded particles
   GYRO_HD int find_loaded(const ParticleView& p, const Vec3d& gravity, Index k, Loaded* loaded) const {
     const Block& block = blocks[k];
+    const Quatd orientation = bodies[k].orientation * bodies[k].frame;  // of the table
     int count = 0;
     for (Index n = block.first_particle; n < block.end_particle; ++n) {
       // Without contacts the load is the weight, to the last bit.
       const Vec3d force = p.load[n].force - p.motion[n].mass * gravity, moment = p.load[n].torque;
       if (norm2(force) == 0 && norm2(moment) == 0) continue;
-      if (count == max_loaded) return max_loaded + 1;
-      const Vec3<float> f = cast<float>(rotate_back(bodies[k].orientation, force)),
-                        m = cast<float>(rotate_back(bodies[k].orientation, moment));
+      const Vec3<float> f = cast<float>(rotate_back(orientation, force)),
+                        m = cast<float>(rotate_back(orientation, moment));
       loaded[count++] = {n - block.first_particle, {f.x, f.y, f.z, m.x, m.y, m.z}, norm(f), norm(m)};
     }
     return count;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/hd.hpp"
-#include "core/math/vec3.hpp"
+#include "core/math/quat.hpp"
 
 #include <vector>
 
@@ -36,7 +36,8 @@ struct NewRock {
   std::vector<Index> colour_begin;
   int substeps =
       0;  ///< steps of its bonds in a step of the scene, during which other forces are held; 0: Scene::substeps
-  Index load_table = none;  ///< in RigidLevel::tables; none: the rock never moves as a rigid body
+  Index load_table = none;        ///< in RigidLevel::tables; none: the rock never moves as a rigid body
+  Quatd orientation{1, 0, 0, 0};  ///< from the frame of the load table to the world
 };
 
 }  // namespace gyro

@@ -96,10 +96,11 @@ struct StepLimits {
 
 /// When an intact rock moves as one rigid body in place of particles and bonds.
 struct RigidLevel {
-  double bonded_above = 0.5;    ///< static stress / strength of a bond beyond which the rock's bonds are evaluated [-]
-  double rigid_below = 0.2;     ///< largest stress / strength with which a rock becomes rigid [-]
-  double calm_time = 5e-3;      ///< for how long it must stay below [s]
-  double look_interval = 1e-4;  ///< longest time between two looks at the loads of rigid rocks [s]
+  double bonded_above = 0.5;  ///< static stress / strength of a bond beyond which the rock's bonds are evaluated [-]
+  double rigid_below = 0.2;   ///< largest stress / strength with which a rock becomes rigid [-]
+  double calm_time = 5e-3;    ///< for how long it must stay below [s]
+  double look_interval =
+      1e-4;  ///< longest time between two looks at the loads of rigid rocks, or a step if that is longer [s]
   std::shared_ptr<const std::vector<LoadTable>> tables;  ///< of NewRock::load_table; never null. Shared: they are large
 };
 

@@ -12,6 +12,7 @@ struct Body {
   Vec3d centre;       ///< of mass [m]
   double mass;        ///< [kg]
   Quatd orientation;  ///< since the rock came into the scene
+  Quatd frame;        ///< of its load table, in the world, as the rock came in
   Vec3d velocity;     ///< of the centre [m/s]
   Vec3d spin;         ///< angular momentum about the centre, world frame [kg m2/s]
   Vec3d diagonal,
@@ -22,6 +23,7 @@ struct Body {
     f("centre", b.centre...);
     f("mass", b.mass...);
     f("orientation", b.orientation...);
+    f("frame", b.frame...);
     f("velocity", b.velocity...);
     f("spin", b.spin...);
     f("diagonal", b.diagonal...);

@@ -262,6 +262,20 @@ TEST_CASE("Plans that cannot be carried out are refused", "[feed]") {
   CHECK_THROWS_AS(Feed(RockLibrary{}, FeedPlan{}, walls), BadInput);
 }
 
+TEST_CASE("A rock knows its template's frame and load table", "[feed]") {
+  RockLibrary library = library_of(0.2, 0.3, 2, 4);
+  library.rocks[1].load_table = 7;
+  FeedPlan plan;
+  const Quatd turned = rotation_about({0, 0.6, 0.8}, 1.3);
+  plan.fixed = {{1, {0, 0, 2}, turned}};
+  const std::vector<Wall> floor{{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 0}};
+  const NewRock rock = Feed(library, plan, floor).initial(std::vector<WallPose>(1)).at(0);
+  CHECK(rock.load_table == 7);
+  for (std::size_t k = 0; k < rock.particles.size(); ++k)
+    CHECK(norm(rock.particles[k].position - Vec3d{0, 0, 2} - rotate(rock.orientation, library.rocks[1].centres[k])) <
+          1e-12);
+}
+
 TEST_CASE("A fixed rock has its given position, or is refused", "[feed]") {
   const RockLibrary library = library_of(0.2, 0.3, 2, 4);
   const std::vector<Wall> floor{{"floor", PlaneShape{{0, 0, 0}, {0, 0, 1}}, Fixed{}, 0}};

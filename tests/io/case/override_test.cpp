@@ -73,6 +73,20 @@ TEST_CASE("Rocks and bonds can be given in forms that the quickstart does not us
   CHECK(vendor.points.at(2).fraction == 0.8);
 }
 
+TEST_CASE("A floor of particle sizes and rigid rocks") {
+  const auto fill = std::get<gyro::MonoFill>(load({"rocks.fill={ratio: 6, floor: 9 mm}"}).rocks->fill);
+  CHECK(fill.floor == 0.009);
+  CHECK(fill.ratio == 6);
+  CHECK(std::get<gyro::MonoFill>(load({}).rocks->fill).floor == 0);
+  CHECK_FALSE(load({}).numerics.rigid);
+  const auto rigid = *load({"numerics.levels={rigid: rocks, bonded_above: 0.7}"}).numerics.rigid;
+  CHECK(rigid.bonded_above == 0.7);
+  CHECK(rigid.rigid_below == 0.2);
+  CHECK(rigid.calm_time == 0.005);
+  CHECK_THAT(problems({"bonds=null", "numerics.levels={rigid: rocks}"}),
+             Catch::Matchers::Contains("needs the section bonds"));
+}
+
 TEST_CASE("Keys that exclude each other and values out of range are refused") {
   const auto refused = [](const std::string& override, const std::string& reason) {
     CAPTURE(override, problems({override}));
@@ -82,6 +96,12 @@ TEST_CASE("Keys that exclude each other and values out of range are refused") {
   refused("rocks.shapes={procedural: 3, corners: 40}",
           "rocks.shapes.corners cannot be combined with rocks.shapes.procedural");
   refused("rocks.shapes={procedural: 3, roughness: 2}", "between 0 and 0.3");
+  refused("rocks.fill={sizes: [8 mm, 45 mm], floor: 9 mm}",
+          "rocks.fill.floor cannot be combined with rocks.fill.sizes");
+  refused("rocks.fill={ratio: 6, floor: 0 mm}", "above 0");
+  refused("numerics.levels={rigid: pieces}", "off or rocks");
+  refused("numerics.levels={rigid: off, calm_time: 2 ms}", "calm_time");
+  refused("numerics.levels={rigid: rocks, bonded_above: 0.2}", "rigid_below is not below bonded_above");
   refused("rocks.fill={sizes: [45 mm, 8 mm]}", "does not rise");
   refused("contacts.rock/rock={friction: 0.5, restitution: 0.2, rolling: spring_dashpot}",
           "give rolling_friction above 0");
