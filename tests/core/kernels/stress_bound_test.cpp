@@ -57,7 +57,7 @@ struct TwoParticles {
 
 }  // namespace
 
-TEST_CASE("Tension, shear and bending overload a bond; compression and weight do not", "[levels]") {
+TEST_CASE("Tension, shear and bending overload a bond, compression and weight do not", "[levels]") {
   TwoParticles rock;
   rock.load[1].force = {40, 0, 0};  // ratio 0.4
   CHECK(rock.is_overloaded(0.39));
