@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/shared_counter.hpp"
+#include "core/math/select.hpp"
 #include "core/scene/load_table.hpp"
 #include "core/state/bodies.hpp"
 #include "core/state/bonds.hpp"
