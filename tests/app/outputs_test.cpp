@@ -94,10 +94,11 @@ std::set<std::string> described(const fs::path& run, const json& entries) {
 
 TEST_CASE("The reference describes every dataset of a quickstart run, and every described dataset exists") {
   const Workplace place;
-  const Outcome outcome = place.gyrosim(
-      "run " + quickstart +
-      " --until '3 ms' --out r --set 'output.probes=[0]' --set 'output.liners={interval: "
-      "1 ms, rows: 4, sectors: 6, wear_coefficient: 1e-12}' --set 'output.fines={breakage: {A: 0.6, b: 8 t/kWh}}'");
+  const Outcome outcome =
+      place.gyrosim("run " + quickstart +
+                    " --until '3 ms' --out r --set 'output.probes=[0]' --set 'output.liners={interval: "
+                    "1 ms, rows: 4, sectors: 6, wear_coefficient: 1e-12}' --set 'output.fines={breakage: {A: 0.6, b: 8 "
+                    "t/kWh}}' --set 'numerics.levels={rigid: rocks}'");
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
   const json entries = reference(place);

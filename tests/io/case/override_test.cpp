@@ -98,7 +98,7 @@ TEST_CASE("Keys that exclude each other and values out of range are refused") {
   refused("rocks.shapes={procedural: 3, roughness: 2}", "between 0 and 0.3");
   refused("rocks.fill={sizes: [8 mm, 45 mm], floor: 9 mm}",
           "rocks.fill.floor cannot be combined with rocks.fill.sizes");
-  refused("rocks.fill={ratio: 6, floor: 0 mm}", "above 0");
+  refused("rocks.fill={ratio: 6, floor: 0 mm}", "out of range");
   refused("numerics.levels={rigid: pieces}", "off or rocks");
   refused("numerics.levels={rigid: off, calm_time: 2 ms}", "calm_time");
   refused("numerics.levels={rigid: rocks, bonded_above: 0.2}", "rigid_below is not below bonded_above");
