@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What levels of detail change in a case, and what they save (README.md has the tables).
 
-  levels.py CASE [--settings "SETTING" ...] [--seeds 8] [--until "1 s"] [--jobs 2] [--program build/release/gyrosim]
+  levels.py CASE [--settings "SETTING" ...] [--set KEY=VALUE] [--seeds 8] [--until "1 s"] [--jobs 2] [--program build/release/gyrosim]
 
 Each setting is a list of KEY=VALUE, divided by semicolons; the first one is the reference and may be empty. All run with
 the seeds 1, 2, ... Of each figure the mean over the seeds is printed, and the difference from the reference in percent of
@@ -27,6 +27,7 @@ import h5py
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SETTINGS = ("", "numerics.levels={rigid: rocks, bonded_above: 0.3}", "numerics.levels={rigid: rocks}",
             "numerics.levels={rigid: rocks, bonded_above: 0.7}")
+STOPPED = 4  # exit code of a run that the guard stopped
 FIGURES = (("mean_crushing_power", "crushing power [kW]", 1e-3), ("broken", "broken bonds [%]", 100),
            ("discharged_mass", "product [kg]", 1), ("p80", "P80 [mm]", 1e3), ("breakage", "breakage [J]", 1))
 
@@ -50,11 +51,13 @@ def one_run(arguments, setting, seed, folder):
                "--set", f"case.seed={seed}", "--set", "output.snapshots=0"]
     if arguments.until:
         command += ["--until", arguments.until]
-    for change in filter(None, (part.strip() for part in setting.split(";"))):
+    for change in [*arguments.set, *filter(None, (part.strip() for part in setting.split(";")))]:
         command += ["--set", change]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     problem = process.stderr.read()
     _, status, usage = os.wait4(process.pid, 0)
+    if os.waitstatus_to_exitcode(status) == STOPPED:
+        return None
     if status:
         raise SystemExit(f"levels.py: {' '.join(command)}\n{problem}")
     return {**figures(out), "cost": usage.ru_utime}
@@ -69,6 +72,12 @@ def difference(values, reference):
 
 
 def print_table(results, settings):
+    whole = [k for k in range(len(results[settings[0]])) if all(results[setting][k] for setting in settings)]
+    for setting in settings:
+        stopped = sum(run is None for run in results[setting])
+        results[setting] = [results[setting][k] for k in whole]
+        if stopped:
+            print(f"`{setting or 'reference'}`: {stopped} runs stopped by the guard; their seeds are left out of all rows")
     print("| setting | " + " | ".join(title for _, title, _ in FIGURES) +
           " | stalled | residual [% of work] | switched | rigid | cost [s] |")
     print("|---" * (len(FIGURES) + 6) + "|")
@@ -91,6 +100,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case")
     parser.add_argument("--settings", nargs="+", default=SETTINGS, metavar="SETTING")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="in all runs")
     parser.add_argument("--seeds", type=int, default=8)
     parser.add_argument("--until")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
