@@ -6,8 +6,8 @@
   bed.py die      writes die.stl
 
 Each fill runs bed.yaml with the same seeds. The first fill is the reference: of each figure the mean over the seeds is
-printed, and the difference from the reference with its standard error, from the differences seed by seed. The seed draws
-rocks, places and strengths, so that equal seeds mean equal rocks in equal places with other particles.
+printed, and the difference from the reference with its standard error, from the differences seed by seed. Equal
+seeds draw the same shapes and sizes of rocks; their places may differ a little, because they are found with the particles.
 
 J/kg: work of the plate until the end / mass of the rock. P80, P50: sieve sizes that these shares of the mass pass, from the
 fragments at the end. fines: share of the mass that passes 30 mm. broken: share of the bonds. cost: user seconds of a run.
