@@ -93,7 +93,8 @@ int run_command(const RunArguments& arguments) {
   located(arguments.input, [&] {
     const std::optional<SavedState> saved = state_to_resume(*input, directory);
     const bool cpu_only = input->numerics.rigid.has_value();
-    options.device = choose_device(cpu_only && arguments.device == "auto" ? "cpu" : arguments.device, arguments.threads);
+    options.device =
+        choose_device(cpu_only && arguments.device == "auto" ? "cpu" : arguments.device, arguments.threads);
     if (cpu_only && options.device.cuda)
       throw BadKey("numerics.levels.rigid",
                    "rocks that move as rigid bodies are computed on the CPU only; use --device cpu, or rigid: off");

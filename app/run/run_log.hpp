@@ -33,7 +33,7 @@ class RunLog {
   /// Logs messages and events of the drive since the last call.
   void drive_events(Simulation& simulation);
   void stopped(const std::string& reason);
-  /// Logs the errors of a run that goes on until they are small, once the run is steady and whenever the largest has
+  /// Logs the standard errors of a run until steady: when it becomes steady, and each time that the largest of them has
   /// fallen by a fifth. @param asked  relative standard error at which the run ends [-]
   void steady(const SteadyProgress& progress, double asked);
   /// Warns that the run has ended before its figures were known.

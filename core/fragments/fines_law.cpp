@@ -37,7 +37,7 @@ TnFamily tn_family(double t10) {
 double tn_of(const TnFamily& family, double n) {
   const auto& values = TnFamily::n_values;
   if (n <= values.front()) return family.t.front();
-  // The piece that ends at the first value above n; the last one goes on.
+  // The interval of the table that contains n. Beyond the table the last interval is extrapolated.
   const auto end = std::min<std::size_t>(
       static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), n) - values.begin()), values.size() - 1);
   const double begin = values[end - 1], share = family.t[end - 1];

@@ -37,8 +37,7 @@ struct MonoFill {
   double floor = 0;  ///< diameter that particles have at least, as far as the rock is coarse enough [m]; 0: none
 };
 
-/// A floor leaves a rock at least this ratio: a rock with fewer particles breaks like another material. With ratio 2 a
-/// bed took 38 times the energy of ratio 6 (cases/bench/graded).
+/// A floor leaves a rock at least this ratio, a choice: a rock of ratio 3 has some 16 particles, one of ratio 2 five.
 inline constexpr double min_graded_ratio = 3;
 
 /// Diameter of the particles of a rock of diameter d [m]: max(d / ratio, min(floor, d / 3)). Rocks of up to 3 floors

@@ -170,7 +170,7 @@ struct CaseOutput {
   std::optional<CaseLinerMaps> liners;
   std::vector<std::uint32_t> probes = {};  ///< ids of particles whose motion the series records
   std::vector<double> sieves = {};     ///< openings for product and hold-up, increasing [m]; empty: the default series
-  std::optional<FinesLaw> fines = {};  ///< none: what is finer than particles is not estimated
+  std::optional<FinesLaw> fines = {};  ///< none: product finer than the particles is not estimated
 };
 
 /// A checked case in SI units. A key that the file leaves out has its documented default, or its member is empty.

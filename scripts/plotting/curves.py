@@ -4,7 +4,7 @@ of the run, with their P80 and the side settings.
 
 The feed is the size distribution that the case states, by equal-volume diameter. Chamber and product are sieved, and
 interpolated between sieves on the logarithm of the size, as P80 is in results.h5. Sizes of particles, the smallest
-pieces, are shaded: what is finer is unknown. With output.fines it is estimated, and drawn as dashed lines."""
+pieces, are shaded. Finer product is unknown; with output.fines its estimate is a dashed line."""
 from pathlib import Path
 
 import numpy as np

@@ -56,14 +56,14 @@ TEST_CASE("A run until steady ends when its figures are known, alike for two thr
   REQUIRE(place.gyrosim(crusher + "--out parts --until " + before).code == 0);
   REQUIRE(place.gyrosim(run + "--out parts --resume --threads 2").code == 0);
   require_same(place.path() / "whole", place.path() / "parts");
-  // A resumed run that is known already ends where it is, and one that asks for more goes on.
+  // Resumed with an error that is reached already, the run ends at once; with a smaller error it continues.
   REQUIRE(place.gyrosim(run + "--out parts --resume").code == 0);
   require_same(place.path() / "whole", place.path() / "parts");
   REQUIRE(place.gyrosim(crusher + "--until steady=26% --out parts --resume").code == 0);
   CHECK(summary_of(place.path() / "parts")["simulated_seconds"] > end);
 }
 
-TEST_CASE("A run until steady that is killed ends at the same time when it goes on") {
+TEST_CASE("A run until steady that is killed and resumed ends at the same time as a whole one") {
   const Workplace place;
   const std::string run = crusher + "--until steady=30% --set 'output.checkpoints=50 ms' ";
   REQUIRE(place.gyrosim(run + "--out whole").code == 0);
