@@ -20,15 +20,15 @@ import math
 import os
 import pathlib
 import statistics
-import subprocess
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
 
 import h5py
 import numpy
 
 FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(FOLDER.parent))
+import seeds
+
 FILLS = ("ratio: 6", "ratio: 6, floor: 20 mm", "ratio: 6, floor: 30 mm", "ratio: 6, floor: 40 mm", "ratio: 4", "ratio: 3")
 FINES = 0.030  # [m]
 FIGURES = (("J/kg", "J/kg", 1), ("p80", "P80 [mm]", 1e3), ("p50", "P50 [mm]", 1e3), ("fines", "fines [%]", 100),
@@ -57,26 +57,9 @@ def figures(run):
             "force": force, "particles": summary["particles"], "residual": summary["energy_residual_fraction"]}
 
 
-def one_run(program, fill, seed, folder, extra):
-    out = folder / f"{fill.replace(' ', '').replace(':', '-').replace(',', '_')}-{seed}"
-    command = [program, "run", str(FOLDER / "bed.yaml"), "--threads", "1", "--quiet", "--out", str(out),
-               "--set", f"case.seed={seed}", "--set", f"rocks.fill={{{fill}}}", "--set", "output.snapshots=0"]
-    for setting in extra:
-        command += ["--set", setting]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    problem = process.stderr.read()
-    _, status, usage = os.wait4(process.pid, 0)
-    if status:
-        raise SystemExit(f"bed.py: {' '.join(command)}\n{problem}")
-    return {**figures(out), "cost": usage.ru_utime}
-
-
-def difference(values, reference, relative):
-    """Mean and standard error of the differences seed by seed."""
-    scale = statistics.mean(reference) / 100 if relative else 1
-    pairs = [(a - b) / scale for a, b in zip(values, reference)]
-    error = statistics.stdev(pairs) / math.sqrt(len(pairs)) if len(pairs) > 1 else math.nan
-    return statistics.mean(pairs), error
+def one_run(program, fill, seed, out, extra):
+    cost = seeds.run_case(program, FOLDER / "bed.yaml", [f"case.seed={seed}", f"rocks.fill={{{fill}}}", *extra], out)
+    return None if cost is None else {**figures(out), "cost": cost}
 
 
 def print_table(results, fills):
@@ -90,7 +73,7 @@ def print_table(results, fills):
             values = [unit * r[name] for r in runs]
             text = f"{statistics.mean(values):.3g}"
             if fill != fills[0]:
-                off, error = difference(values, [unit * r[name] for r in results[fills[0]]], unit != 100)
+                off, error = seeds.difference(values, [unit * r[name] for r in results[fills[0]]], unit != 100)
                 text += f" ({off:+.1f} +- {error:.1f}{' %' if unit != 100 else ''})"
             cells.append(text)
         cells.append(f"{100 * max(abs(r['residual']) for r in runs):.2f}")
@@ -123,10 +106,8 @@ def main():
     arguments = parser.parse_args()
     if arguments.command == "die":
         return make_die()
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(arguments.jobs) as pool:
-        waiting = {(fill, seed): pool.submit(one_run, arguments.program, fill, seed, pathlib.Path(folder), arguments.set)
-                   for fill in arguments.fills for seed in range(1, arguments.seeds + 1)}
-        results = {fill: [waiting[fill, seed].result() for seed in range(1, arguments.seeds + 1)] for fill in arguments.fills}
+    results = seeds.over_seeds(arguments.fills, arguments.seeds, arguments.jobs,
+                               lambda fill, seed, out: one_run(arguments.program, fill, seed, out, arguments.set))
     if arguments.json:
         pathlib.Path(arguments.json).write_text(json.dumps(results, indent=1))
     print_table(results, arguments.fills)

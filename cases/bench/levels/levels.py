@@ -17,17 +17,16 @@ import math
 import os
 import pathlib
 import statistics
-import subprocess
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
 
 import h5py
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.append(str(ROOT / "cases" / "bench"))
+import seeds
+
 SETTINGS = ("", "numerics.levels={rigid: rocks, bonded_above: 0.3}", "numerics.levels={rigid: rocks}",
             "numerics.levels={rigid: rocks, bonded_above: 0.7}")
-STOPPED = 4  # exit code of a run that the guard stopped
 FIGURES = (("mean_crushing_power", "crushing power [kW]", 1e-3), ("broken", "broken bonds [%]", 100),
            ("discharged_mass", "product [kg]", 1), ("p80", "P80 [mm]", 1e3), ("breakage", "breakage [J]", 1))
 
@@ -45,39 +44,14 @@ def figures(run):
             "residual": summary["energy_residual_fraction"], "stalled": bool(summary["stalled"])}
 
 
-def one_run(arguments, setting, seed, folder):
-    out = folder / f"{abs(hash(setting))}-{seed}"
-    command = [arguments.program, "run", arguments.case, "--threads", "1", "--quiet", "--out", str(out),
-               "--set", f"case.seed={seed}", "--set", "output.snapshots=0"]
-    if arguments.until:
-        command += ["--until", arguments.until]
-    for change in [*arguments.set, *filter(None, (part.strip() for part in setting.split(";")))]:
-        command += ["--set", change]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    problem = process.stderr.read()
-    _, status, usage = os.wait4(process.pid, 0)
-    if os.waitstatus_to_exitcode(status) == STOPPED:
-        return None
-    if status:
-        raise SystemExit(f"levels.py: {' '.join(command)}\n{problem}")
-    return {**figures(out), "cost": usage.ru_utime}
-
-
-def difference(values, reference):
-    """In percent of the mean of the reference, with standard error."""
-    scale = statistics.mean(reference) / 100
-    pairs = [(a - b) / scale for a, b in zip(values, reference)]
-    error = statistics.stdev(pairs) / math.sqrt(len(pairs)) if len(pairs) > 1 else math.nan
-    return f"({statistics.mean(pairs):+.1f} +- {error:.1f} %)"
+def one_run(arguments, setting, seed, out):
+    changes = [part.strip() for part in setting.split(";") if part.strip()]
+    cost = seeds.run_case(arguments.program, arguments.case, [f"case.seed={seed}", *arguments.set, *changes], out,
+                          ["--until", arguments.until] if arguments.until else [])
+    return None if cost is None else {**figures(out), "cost": cost}
 
 
 def print_table(results, settings):
-    whole = [k for k in range(len(results[settings[0]])) if all(results[setting][k] for setting in settings)]
-    for setting in settings:
-        stopped = sum(run is None for run in results[setting])
-        results[setting] = [results[setting][k] for k in whole]
-        if stopped:
-            print(f"`{setting or 'reference'}`: {stopped} runs stopped by the guard; their seeds are left out of all rows")
     print("| setting | " + " | ".join(title for _, title, _ in FIGURES) +
           " | stalled | residual [% of work] | switched | rigid | cost [s] |")
     print("|---" * (len(FIGURES) + 6) + "|")
@@ -88,7 +62,8 @@ def print_table(results, settings):
             values = [unit * r[name] for r in runs]
             text = f"{statistics.mean(values):.3g}"
             if setting != settings[0]:
-                text += " " + difference(values, [unit * r[name] for r in results[settings[0]]])
+                off, error = seeds.difference(values, [unit * r[name] for r in results[settings[0]]])
+                text += f" ({off:+.1f} +- {error:.1f} %)"
             cells.append(text)
         cells += [f"{sum(r['stalled'] for r in runs)} of {len(runs)}", f"{100 * max(abs(r['residual']) for r in runs):.2f}",
                   f"{max(abs(r['switched']) for r in runs):.0e}", f"{statistics.mean(r['rigid'] for r in runs):.2f}",
@@ -107,11 +82,8 @@ def main():
     parser.add_argument("--program", default=str(ROOT / "build" / "release" / "gyrosim"))
     parser.add_argument("--json", metavar="FILE", help="writes the figures of every run")
     arguments = parser.parse_args()
-    seeds = range(1, arguments.seeds + 1)
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(arguments.jobs) as pool:
-        waiting = {(setting, seed): pool.submit(one_run, arguments, setting, seed, pathlib.Path(folder))
-                   for setting in arguments.settings for seed in seeds}
-        results = {setting: [waiting[setting, seed].result() for seed in seeds] for setting in arguments.settings}
+    results = seeds.over_seeds(arguments.settings, arguments.seeds, arguments.jobs,
+                               lambda setting, seed, out: one_run(arguments, setting, seed, out))
     if arguments.json:
         pathlib.Path(arguments.json).write_text(json.dumps(results, indent=1))
     print_table(results, arguments.settings)
