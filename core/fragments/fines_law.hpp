@@ -72,7 +72,8 @@ struct TnFamily {
 TnFamily tn_family(double t10);
 
 /// Share of the mass finer than size/n [-]. Between the values of the family, ln t_n is linear in ln n, so that pieces
-/// of the curve are Gates-Gaudin-Schuhmann distributions. Beyond n = 75 the last interval is extrapolated; below n = 1.2 the value is t_1.2.
+/// of the curve are Gates-Gaudin-Schuhmann distributions. Beyond n = 75 the last interval is extrapolated; below n
+/// = 1.2 the value is t_1.2.
 /// @param n  >= 1
 double tn_of(const TnFamily& family, double n);
 

@@ -20,8 +20,8 @@ namespace gyro {
 /// the larger of both. They take compression for tension, and their sums ignore that loads cancel: of a rock pressed on
 /// one particle from above and one from below the bound is 7 times the largest ratio.
 ///
-/// Static: waves and damping are left out, and so is the strain by the rock's rotation; rho w^2 d^2 is 2.6 kPa at 1 m and
-/// 1 rad/s. So is the friction of MohrCoulomb, which only strengthens bonds.
+/// Static: waves and damping are left out, and so is the strain by the rock's rotation; rho w^2 d^2 is 2.6 kPa at 1 m
+/// and 1 rad/s. So is the friction of MohrCoulomb, which only strengthens bonds.
 ///
 /// Cost: one sparse factorisation and 6 solutions a particle. Memory: 152 bytes a particle and bond, 7.8 MB for 138
 /// particles, growing with the square of their number.
