@@ -11,7 +11,7 @@
 namespace gyro {
 namespace {
 
-/// What a load table needs to know of a rock of the start.
+/// What a load table needs to know of a rock of the start, or of a piece.
 RockTemplate template_of(const NewRock& rock) {
   RockTemplate made;
   made.name = "rock " + std::to_string(rock.id);
@@ -33,8 +33,7 @@ bool has_table(const RockTemplate& rock) {
 /// What the tables come to. @param rocks  of the library and the start
 std::string note_on(const std::vector<LoadTable>& tables, std::size_t rocks) {
   double bytes = 0;
-  for (const LoadTable& t : tables)
-    bytes += sizeof(float) * static_cast<double>(t.force.size() + t.moment.size() + t.response.size());
+  for (const LoadTable& t : tables) bytes += sizeof(float) * static_cast<double>(t.numbers.size());
   char text[200];
   std::snprintf(
       text, sizeof text,
@@ -52,6 +51,10 @@ std::string set_levels(Setup& setup, const Case& input, int threads) {
   level.bonded_above = input.numerics.rigid->bonded_above;
   level.rigid_below = input.numerics.rigid->rigid_below;
   level.calm_time = input.numerics.rigid->calm_time;
+  if (input.numerics.rigid->pieces)
+    level.response_of = [bonds = *setup.scene.bonds](const NewRock& rock) {
+      return load_response(template_of(rock), bonds);
+    };
   std::vector<RockTemplate> rocks;
   const auto take = [&](const RockTemplate& rock, Index& place) {
     if (!has_table(rock)) return;

@@ -49,7 +49,8 @@ class Arrivals {
   struct Present {
     Index particles = 0, bonds = 0, blocks = 0, colours = 0;
     bool with_bonds = false;
-    bool with_rigid = false;  ///< rocks may move as rigid bodies
+    bool with_rigid = false;   ///< rocks may move as rigid bodies
+    bool with_pieces = false;  ///< so may rocks without a load table, and pieces
   };
 
   /// @param exchanged  EnergyTerms::exchanged before they arrive [J]
@@ -79,8 +80,9 @@ class Arrivals {
     const Index block = is_rock ? present_.blocks + size_of(blocks_) : none;
     const bool bonded = present_.with_bonds && !rock.bonds.empty();
     const int substeps = !bonded ? 1 : rock.substeps > 0 ? rock.substeps : substeps_;
-    const bool with_table = present_.with_rigid && bonded && is_rock && can_be_rigid(rock);
-    const bool rigid = with_table && arrives_rigid(rock);
+    const bool free_of_load = bonded && is_rock && is_free_of_load(rock);
+    const bool rigid = free_of_load && static_cast<Index>(rock.particles.size()) <= max_rigid_particles &&
+                       arrives_without_rotation(rock);
     for (const NewParticle& p : rock.particles) add_particle(p, block, rigid ? 1 : substeps);
     if (!is_rock) return;
     const Index end = first + size_of(rock.particles);
@@ -89,7 +91,9 @@ class Arrivals {
     if (present_.with_bonds) add_bonds(rock, first, substeps);
     b.end_bond = bond_count();
     b.end_colour = colour_count();
-    if (with_table) b.table = rock.load_table, b.table_bonds = static_cast<Index>(rock.bonds.size());
+    b.table = free_of_load ? rock.load_table : none;
+    b.table_bonds = bonded ? static_cast<Index>(rock.bonds.size()) : 0;
+    b.free_of_load = free_of_load ? 1 : 0;
     b.rigid = rigid ? 1 : 0;
     blocks_.push_back(b);
   }
@@ -108,6 +112,12 @@ class Arrivals {
   template <class T>
   static Index size_of(const std::vector<T>& rows) {
     return static_cast<Index>(rows.size());
+  }
+  /// Always false where rocks of its kind are never rigid.
+  bool is_free_of_load(const NewRock& rock) const {
+    if (!present_.with_rigid || (rock.load_table == none && !present_.with_pieces)) return false;
+    return !is_large_rock(static_cast<Index>(rock.bonds.size())) && arrives_free_of_load(rock) &&
+           (rock.load_table != none || arrives_in_one_piece(rock));
   }
   Index bond_count() const { return present_.bonds + size_of(bonds_.i); }
   Index colour_count() const { return present_.colours + size_of(colour_begin_); }

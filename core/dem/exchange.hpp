@@ -14,7 +14,7 @@ void DemSolver<Exec, Real>::insert(std::span<const NewRock> rocks) {
   arrivals.reserve(rocks);
   for (const NewRock& rock : rocks) arrivals.add(rock);
   rock_.append(arrivals);
-  rigid_.append(rocks);
+  rigid_.append(rocks, rock_);
   lists_.extend(rock_.count());
   energies.exchanged = arrivals.exchanged();
   monitor_.counts().bonds_intact += arrivals.bonds_intact();
@@ -30,10 +30,9 @@ void DemSolver<Exec, Real>::remove(std::span<const ParticleId> ids) {
   const EnergyTerms before = sums().energy(booked, sums().particles(), sums().contacts(), bonds_before);
   const Remaining remaining(Exec::host(rock_.particles().id), ids);
   monitor_.book_losses(Exec::host(rock_.particles().losses), remaining);
-  lists_.keep(remaining);
+  lists_.rearrange(remaining);
   accounts_.set_entries(lists_.walls().count());
-  rigid_.keep(remaining, Exec::host(rock_.blocks()));
-  rock_.keep(remaining);
+  rigid_.rearrange(remaining, rock_.keep(remaining), rock_);
   monitor_.reserve_events(rock_.bond_count());
 
   const BondSums bonds_after = sums().bonds();

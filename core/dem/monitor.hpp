@@ -36,7 +36,7 @@ class Monitor {
  public:
   Monitor() { lower_all(); }
 
-  /// On the executor.
+  /// On the executor, until a flag is lowered.
   StepFlags* flags() { return flags_.data(); }
   /// @param steps  as BreakLog::steps
   BreakLog break_log(double rotation_limit, const std::int32_t* steps) {
@@ -63,6 +63,11 @@ class Monitor {
   void rocks_freed() {
     StepFlags flags = raised();
     flags.rock_overloaded = 0;
+    set(flags);
+  }
+  void rows_made() {
+    StepFlags flags = raised();
+    flags.rows_lacking = 0;
     set(flags);
   }
   void pairs_renewed() {

@@ -68,11 +68,11 @@ class NeighbourLists {
     walls_.extend_rows(particles);
     invalidate(particles);
   }
-  /// Particles have left.
-  void keep(const Remaining& remaining) {
-    pairs_.keep(remaining);
-    walls_.keep(remaining);
-    invalidate(static_cast<Index>(remaining.old_index.size()));
+  /// Particles have left, or others have taken their places.
+  void rearrange(const NewPlaces& places) {
+    pairs_.rearrange(places);
+    walls_.rearrange(places);
+    invalidate(static_cast<Index>(places.old_index.size()));
   }
 
   void save(SavedState& to) const {

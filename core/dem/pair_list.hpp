@@ -52,19 +52,19 @@ class PairList {
 
   /// Pairs of the particles that stay, with their history, under the new indices. Their bonds, and the places and loads
   /// of their ends, are found again when the list is rebuilt.
-  void keep(const Remaining& remaining) {
+  void rearrange(const NewPlaces& places) {
     const auto& pairs = Exec::host(now_.pair);
     std::vector<Pair> kept;
     std::vector<Index> source, new_pair(pairs.size(), none);
     for (std::size_t n = 0; n < pairs.size(); ++n) {
-      const Index i = remaining.new_index[static_cast<std::size_t>(pairs[n].i)],
-                  j = remaining.new_index[static_cast<std::size_t>(pairs[n].j)];
+      const Index i = places.new_index[static_cast<std::size_t>(pairs[n].i)],
+                  j = places.new_index[static_cast<std::size_t>(pairs[n].j)];
       if (i == none || j == none) continue;
       new_pair[n] = static_cast<Index>(kept.size());
       kept.push_back({i, j, none});
       source.push_back(static_cast<Index>(n));
     }
-    keep_ends(remaining, new_pair);
+    keep_ends(places, new_pair);
     Exec::keep(now_.history, source);
     if (with_extra_) Exec::keep(now_.extra, source);
     Exec::keep(now_.touching, source);
@@ -117,12 +117,12 @@ class PairList {
     Exec::renew(now_.dashpot, ends);
   }
 
-  void keep_ends(const Remaining& remaining, const std::vector<Index>& new_pair) {
+  void keep_ends(const NewPlaces& places, const std::vector<Index>& new_pair) {
     const auto& ends = Exec::host(now_.ends);
     const auto& row_begin = Exec::host(now_.row_begin);
     std::vector<PairEnd> kept;
     std::vector<Index> rows(1, 0);
-    for (const Index old : remaining.old_index) {
+    for (const Index old : places.old_index) {
       const auto n = static_cast<std::size_t>(old);
       for (Index e = row_begin[n]; e < row_begin[n + 1]; ++e) {
         const PairEnd end = ends[static_cast<std::size_t>(e)];

@@ -3,11 +3,13 @@
 
 #include "core/base/saved_state.hpp"
 #include "core/dem/arrivals.hpp"
+#include "core/dem/division.hpp"
 #include "core/dem/removal.hpp"
 #include "core/exec/block_launch.hpp"
 #include "core/kernels/spent_rocks.hpp"
 #include "core/state/pieces.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -23,8 +25,10 @@ class ParticleStore {
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
 
-  /// @param with_rigid  whether rocks may move as rigid bodies
-  explicit ParticleStore(bool with_bonds, bool with_rigid = false) : with_bonds_(with_bonds), with_rigid_(with_rigid) {}
+  /// @param with_rigid   whether rocks may move as rigid bodies
+  /// @param with_pieces  so may rocks without a load table, and pieces
+  explicit ParticleStore(bool with_bonds, bool with_rigid = false, bool with_pieces = false)
+      : with_bonds_(with_bonds), with_rigid_(with_rigid), with_pieces_(with_pieces) {}
 
   Index count() const { return static_cast<Index>(particles_.position.size()); }
   Index bond_count() const { return static_cast<Index>(bonds_.i.size()); }
@@ -62,8 +66,13 @@ class ParticleStore {
   int max_substeps() const { return max_substeps_; }  ///< of all rocks
 
   typename Arrivals<Real>::Present present() const {
-    return {count(),     bond_count(), static_cast<Index>(blocks_.size()), static_cast<Index>(colour_begin_.size()),
-            with_bonds_, with_rigid_};
+    return {count(),
+            bond_count(),
+            static_cast<Index>(blocks_.size()),
+            static_cast<Index>(colour_begin_.size()),
+            with_bonds_,
+            with_rigid_,
+            with_pieces_};
   }
   /// Takes the rows out of `arrivals`, column by column: at most one of them is there twice.
   void append(Arrivals<Real>& arrivals) {
@@ -79,16 +88,17 @@ class ParticleStore {
   }
 
   /// Removes all other particles, with their bonds.
-  void keep(const Remaining& remaining) {
+  /// @return as NewBonds::old_block
+  std::vector<Index> keep(const Remaining& remaining) {
     GYRO_EXPECT(remaining.new_index.size() == static_cast<std::size_t>(count()));
-    keep_bonds(remaining);
-    ParticleView::for_each_column(
-        [&](const char*, auto& column) {
-          if (column.size() > 0) Exec::keep(column, remaining.old_index);  // some columns exist only with bonds
-        },
-        particles_);
-    reindex();
+    return replace(from_bonds([&](const OldBonds& old) { return kept_bonds(old, remaining); }), remaining);
   }
+
+  /// Rocks that division.hpp divides, none if it finds none.
+  DividedRocks divided() const {
+    return from_bonds([&](const OldBonds& old) { return divided_rocks(old, count()); });
+  }
+  std::vector<Index> divide(const DividedRocks& divided) { return replace(divided.bonds, divided.places); }
 
   /// Makes spent rocks (kernels/spent_rocks.hpp) loose particles: they take the step of the scene and have no bonds.
   /// Between windows only.
@@ -106,7 +116,8 @@ class ParticleStore {
     std::vector<Block> blocks = Exec::host(blocks_);
     const auto& bonded = Exec::host(bonded_);
     for (std::size_t k = 0; k < blocks.size(); ++k)
-      if (is_spent(blocks[k], bonded[k])) blocks[k].first_bond = blocks[k].end_bond, blocks[k].substeps = 1;
+      if (is_spent(blocks[k], bonded[k]))
+        blocks[k].first_bond = blocks[k].end_bond, blocks[k].table_bonds = 0, blocks[k].substeps = 1;
     Exec::upload(blocks_, std::move(blocks));
     index_pieces();
   }
@@ -141,24 +152,39 @@ class ParticleStore {
   }
 
  private:
-  void keep_bonds(const Remaining& remaining) {
-    KeptBonds kept({Exec::host(bonds_.i),
-                    Exec::host(bonds_.j),
-                    Exec::host(bonds_.state),
-                    Exec::host(blocks_),
-                    {Exec::host(colour_begin_), colour_starts_}},
-                   remaining);
-    std::vector<Index> block = Exec::host(particles_.block);
-    for (Index& b : block)
-      if (b != none) b = kept.new_block[static_cast<std::size_t>(b)];
-    BondView<Real>::for_each_column([&](const char*, auto& column) { Exec::keep(column, kept.source); }, bonds_);
-    Exec::upload(bonds_.i, std::move(kept.i));
-    Exec::upload(bonds_.j, std::move(kept.j));
-    Exec::upload(bonds_.state, std::move(kept.state));
+  /// What f makes of the bonds as they are.
+  template <class F>
+  auto from_bonds(const F& f) const {
+    const auto& i = Exec::host(bonds_.i);
+    const auto& j = Exec::host(bonds_.j);
+    const auto& state = Exec::host(bonds_.state);
+    const auto& blocks = Exec::host(blocks_);
+    const auto& colour_begin = Exec::host(colour_begin_);
+    return f(OldBonds{i, j, state, blocks, {colour_begin, colour_starts_}});
+  }
+
+  /// Gives particles and bonds new rows.
+  std::vector<Index> replace(NewBonds bonds, const NewPlaces& places) {
+    const auto move_rows = [](const std::vector<Index>& source) {
+      return [&source](const char*, auto& column) {
+        if (column.size() > 0) Exec::keep(column, source);  // some columns exist only with bonds
+      };
+    };
+    ParticleView::for_each_column(move_rows(places.old_index), particles_);
+    BondView<Real>::for_each_column(move_rows(bonds.source), bonds_);
+    std::vector<Index> block(places.old_index.size(), none);
+    for (std::size_t k = 0; k < bonds.blocks.size(); ++k)
+      std::fill(block.begin() + bonds.blocks[k].first_particle, block.begin() + bonds.blocks[k].end_particle,
+                static_cast<Index>(k));
     Exec::upload(particles_.block, std::move(block));
-    Exec::upload(blocks_, std::move(kept.blocks));
-    Exec::upload(colour_begin_, std::move(kept.colour_begin));
-    colour_starts_ = std::move(kept.colour_starts);
+    Exec::upload(bonds_.i, std::move(bonds.i));
+    Exec::upload(bonds_.j, std::move(bonds.j));
+    Exec::upload(bonds_.state, std::move(bonds.state));
+    Exec::upload(blocks_, std::move(bonds.blocks));
+    Exec::upload(colour_begin_, std::move(bonds.colour_begin));
+    colour_starts_ = std::move(bonds.colour_starts);
+    reindex();
+    return std::move(bonds.old_block);
   }
 
   void reindex() {
@@ -219,7 +245,7 @@ class ParticleStore {
     Exec::upload(bond_partner_, std::move(partner));
   }
 
-  bool with_bonds_, with_rigid_;
+  bool with_bonds_, with_rigid_, with_pieces_;
   Particles<Buffer> particles_;
   Bonds<Buffer, Real> bonds_;
   Buffer<Block> blocks_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/expect.hpp"
-#include "core/state/pieces.hpp"
+#include "core/dem/new_rows.hpp"
 
 #include <algorithm>
 #include <span>
@@ -14,13 +14,11 @@
 namespace gyro {
 
 /// Particles that stay when others leave.
-struct Remaining {
-  std::vector<Index> new_index;  ///< of every particle before; none for those that leave
-  std::vector<Index> old_index;  ///< of those that stay
-
+struct Remaining : NewPlaces {
   /// @param id       of every particle before
   /// @param leaving  ids, in any order
-  Remaining(const std::vector<ParticleId>& id, std::span<const ParticleId> leaving) : new_index(id.size(), none) {
+  Remaining(const std::vector<ParticleId>& id, std::span<const ParticleId> leaving) {
+    new_index.assign(id.size(), none);
     std::vector<ParticleId> sorted(leaving.begin(), leaving.end());
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t n = 0; n < id.size(); ++n) {
@@ -37,64 +35,46 @@ struct Remaining {
   }
 };
 
-/// Bonds and blocks before some particles leave.
-struct OldBonds {
-  const std::vector<Index>&i, &j;
-  const std::vector<std::int32_t>& state;
-  const std::vector<Block>& blocks;
-  Colours colours;
-};
+namespace removal_detail {
+
+/// Adds what stays of a block's bonds, colour by colour.
+inline void add_bonds(NewBonds& to, const OldBonds& old, const Block& block, const Remaining& remaining) {
+  const auto at = [](const auto& v, Index k) { return v[static_cast<std::size_t>(k)]; };
+  for (Index c = block.first_colour; c < block.end_colour; ++c) {
+    to.begin_colour(at(old.colours.starts, c));
+    if (c + 1 == block.end_colour) break;
+    for (Index n = at(old.colours.begin, c); n < at(old.colours.begin, c + 1); ++n) {
+      const Index first = at(remaining.new_index, at(old.i, n)), second = at(remaining.new_index, at(old.j, n));
+      if (at(old.state, n) != bond_broken && first != none && second != none)
+        to.add(n, first, second, at(old.state, n));
+    }
+  }
+}
+
+/// The table of a rock holds for all of it.
+inline void forget_table(Block& now, const Block& before) {
+  const auto particles = [](const Block& b) { return b.end_particle - b.first_particle; };
+  if (now.table_bonds == before.table_bonds && particles(now) == particles(before)) return;
+  GYRO_EXPECT(!now.rigid);  // what is rigid leaves as a whole
+  now.table = none;
+}
+
+}  // namespace removal_detail
 
 /// Bonds of the particles that stay, block by block in their order, without broken ones.
-class KeptBonds {
- public:
-  KeptBonds(const OldBonds& old, const Remaining& remaining) : new_block(old.blocks.size(), none) {
-    for (std::size_t k = 0; k < old.blocks.size(); ++k) {
-      Block b = old.blocks[k];
-      b.first_particle = remaining.place(b.first_particle);
-      b.end_particle = remaining.place(b.end_particle);
-      if (b.first_particle == b.end_particle) continue;
-      b.first_bond = static_cast<Index>(source.size());
-      b.first_colour = static_cast<Index>(colour_begin.size());
-      add_bonds(old, old.blocks[k], remaining, b.first_particle);
-      b.end_bond = static_cast<Index>(source.size());
-      b.end_colour = static_cast<Index>(colour_begin.size());
-      new_block[k] = static_cast<Index>(blocks.size());
-      blocks.push_back(b);
-    }
+inline NewBonds kept_bonds(const OldBonds& old, const Remaining& remaining) {
+  NewBonds kept;
+  for (std::size_t k = 0; k < old.blocks.size(); ++k) {
+    Block b = old.blocks[k];
+    b.first_particle = remaining.place(b.first_particle);
+    b.end_particle = remaining.place(b.end_particle);
+    if (b.first_particle == b.end_particle) continue;
+    kept.begin_block(b, static_cast<Index>(k));
+    removal_detail::add_bonds(kept, old, old.blocks[k], remaining);
+    kept.end_block();
+    removal_detail::forget_table(kept.blocks.back(), old.blocks[k]);
   }
-
-  std::vector<Index> i, j;
-  std::vector<std::int32_t> state;
-  std::vector<Index> source;  ///< index of each bond before; none for those that fill up to the alignment
-  std::vector<Index> colour_begin;
-  std::vector<std::int32_t> colour_starts;
-  std::vector<Block> blocks;
-  std::vector<Index> new_block;  ///< of every block before; none for those that leave
-
- private:
-  void add(Index from, Index first, Index second, std::int32_t with_state) {
-    source.push_back(from);
-    i.push_back(first);
-    j.push_back(second);
-    state.push_back(with_state);
-  }
-
-  /// Adds what stays of a block's bonds, colour by colour, and fills up to the alignment.
-  /// @param filler  particle that bonds which fill up name as their ends
-  void add_bonds(const OldBonds& old, const Block& block, const Remaining& remaining, Index filler) {
-    const auto at = [](const auto& v, Index k) { return v[static_cast<std::size_t>(k)]; };
-    for (Index c = block.first_colour; c < block.end_colour; ++c) {
-      colour_begin.push_back(static_cast<Index>(source.size()));
-      colour_starts.push_back(at(old.colours.starts, c));
-      if (c + 1 == block.end_colour) break;
-      for (Index n = at(old.colours.begin, c); n < at(old.colours.begin, c + 1); ++n) {
-        const Index first = at(remaining.new_index, at(old.i, n)), second = at(remaining.new_index, at(old.j, n));
-        if (at(old.state, n) != bond_broken && first != none && second != none) add(n, first, second, at(old.state, n));
-      }
-    }
-    while (source.size() % bond_alignment != 0) add(none, filler, filler, bond_broken);
-  }
-};
+  return kept;
+}
 
 }  // namespace gyro

@@ -3,7 +3,7 @@
 
 #include "core/scene/new_rock.hpp"
 #include "core/state/bodies.hpp"
-#include "core/state/pieces.hpp"
+#include "core/state/fragment_labels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,8 @@
 
 namespace gyro {
 
-/// Whether the rock has a load table that holds for it: its bonds are those of the table, in their order, and are free
-/// of load where it arrives.
-inline bool can_be_rigid(const NewRock& rock) {
-  if (rock.load_table == none || rock.bonds.empty() || is_large_rock(static_cast<Index>(rock.bonds.size())))
-    return false;
+/// Whether no bond is under load where the rock arrives: from this shape its particles and pieces may become rigid.
+inline bool arrives_free_of_load(const NewRock& rock) {
   constexpr double rounding = 1e-9;
   return std::all_of(rock.bonds.begin(), rock.bonds.end(), [&](const NewBond& bond) {
     const Vec3d span = rock.particles[static_cast<std::size_t>(bond.j)].position -
@@ -26,8 +23,16 @@ inline bool can_be_rigid(const NewRock& rock) {
   });
 }
 
+/// Whether bonds hold all particles together.
+inline bool arrives_in_one_piece(const NewRock& rock) {
+  std::vector<Index> i, j;
+  for (const NewBond& b : rock.bonds) i.push_back(b.i), j.push_back(b.j);
+  const std::vector<Index> label = fragment_labels(static_cast<Index>(rock.particles.size()), i, j);
+  return std::all_of(label.begin(), label.end(), [](Index first) { return first == 0; });
+}
+
 /// Whether all particles have the same velocity and none rotates.
-inline bool arrives_rigid(const NewRock& rock) {
+inline bool arrives_without_rotation(const NewRock& rock) {
   const Vec3d& v = rock.particles.front().velocity;
   return std::all_of(rock.particles.begin(), rock.particles.end(), [&](const NewParticle& p) {
     return norm2(p.velocity - v) == 0 && norm2(p.angular_velocity) == 0;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/base/saved_state.hpp"
+#include "core/dem/load_rows.hpp"
 #include "core/dem/particle_store.hpp"
 #include "core/dem/rigid_arrivals.hpp"
 #include "core/dem/scene_laws.hpp"
 #include "core/kernels/change_level.hpp"
+#include "core/scene/window.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -15,83 +17,106 @@
 
 namespace gyro {
 
-/// Owns what rocks need to move as rigid bodies: a body for each rock, the places of the particles in it, and the load
-/// tables. Empty in a scene without RigidLevel.
+/// Owns what rocks need to move as rigid bodies: a body for each block, the places of the particles in it, and the rows
+/// of load tables. Empty in a scene without RigidLevel.
 template <class Exec, class Real>
 class RigidRocks {
  public:
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
 
-  explicit RigidRocks(const Scene& scene) {
-    if (!scene.rigid) return;
-    level_ = RigidLevel{*scene.rigid};
-    look_every_ = std::max(std::int64_t{1}, static_cast<std::int64_t>(level_->look_interval / scene.dt));
-    std::vector<float> force, moment, response;
-    std::vector<std::int64_t> begin;
-    for (const LoadTable& table : *level_->tables) {
-      begin.push_back(static_cast<std::int64_t>(force.size()));
-      sizes_.emplace_back(table.particles, table.bonds);
-      force.insert(force.end(), table.force.begin(), table.force.end());
-      moment.insert(moment.end(), table.moment.begin(), table.moment.end());
-      response.insert(response.end(), table.response.begin(), table.response.end());
-    }
-    level_->tables.reset();
-    Exec::upload(force_, std::move(force));
-    Exec::upload(moment_, std::move(moment));
-    Exec::upload(response_, std::move(response));
-    Exec::upload(begin_, std::move(begin));
+  explicit RigidRocks(const Scene& scene) : level_(scene.rigid) {
+    if (!level_) return;
+    const auto steps = [&](double time) {
+      return std::max(std::int64_t{1}, static_cast<std::int64_t>(time / scene.dt));
+    };
+    look_every_ = steps(level_->look_interval);
+    divide_every_ = steps(0.5 * level_->calm_time);
   }
 
   bool in_use() const { return level_.has_value(); }
   /// Whether the loads are looked at in a step. @param step  of the scene, from 0
   bool looks_in(std::int64_t step) const { return in_use() && step % look_every_ == 0; }
 
-  void append(std::span<const NewRock> rocks) {
+  /// Whether broken rocks are divided before a window, so that their pieces may become rigid.
+  bool divides_before(const Window& window) const {
+    return in_use() && with_pieces() &&
+           (window.first_step + window.steps) / divide_every_ > window.first_step / divide_every_;
+  }
+
+  /// @param rock  with these already
+  void append(std::span<const NewRock> rocks, const ParticleStore<Exec, Real>& rock) {
     if (!in_use()) return;
     RigidArrivals arrivals;
-    for (const NewRock& rock : rocks) {
-      GYRO_EXPECT(rock.load_table == none || fits(rock));
-      arrivals.add(rock);
+    for (const NewRock& more : rocks) {
+      GYRO_EXPECT(more.load_table == none || fits(more));
+      arrivals.add(more);
     }
     Exec::append(bodies_, std::move(arrivals.bodies));
     Exec::append(arms_, std::move(arrivals.arms));
-    turning_.resize(bodies_.size());
+    resize(rock);
   }
 
-  /// Removes all other particles. @param blocks  of the scene before
-  void keep(const Remaining& remaining, const std::vector<Block>& blocks) {
+  /// Rock has left, or has been divided. @param rock  as it is now
+  /// @param old_block  of each block now, as NewBonds::old_block
+  void rearrange(const NewPlaces& places, const std::vector<Index>& old_block, const ParticleStore<Exec, Real>& rock) {
     if (!in_use()) return;
-    std::vector<Index> rocks;
-    for (std::size_t k = 0; k < blocks.size(); ++k)
-      if (remaining.place(blocks[k].first_particle) != remaining.place(blocks[k].end_particle))
-        rocks.push_back(static_cast<Index>(k));
-    Exec::keep(bodies_, rocks);
-    Exec::keep(arms_, remaining.old_index);
-    turning_.resize(bodies_.size());
+    Exec::keep(bodies_, old_block);
+    Exec::keep(arms_, places.old_index);
+    Exec::keep(row_, places.old_index);
+    std::vector<OwnRows> own(old_block.size());
+    for (std::size_t k = 0; k < own.size(); ++k) own[k] = std::move(own_[static_cast<std::size_t>(old_block[k])]);
+    own_ = std::move(own);
+    resize(rock);
+  }
+
+  /// Adds up the loads of rigid rocks, and sees whether rows of load tables are lacking for a look at them.
+  void add_loads(Exec& exec, ParticleStore<Exec, Real>& rock, Gather<Real> gather, bool new_forces,
+                 std::int32_t* lacking) {
+    gather.with_bonds = false;
+    gather.held = nullptr;
+    exec.for_each_block("rigid rocks", launch(rock),
+                        LoadRigid<Real>{.blocks = rock.block_view(),
+                                        .gather = gather,
+                                        .new_forces = new_forces,
+                                        .made = row_.data(),
+                                        .lacking = lacking});
+  }
+  void make_rows(Exec& exec, ParticleStore<Exec, Real>& rock, const Vec3d& gravity, std::int32_t* overloaded) {
+    exec.for_each("load rows", rocks(rock),
+                  MakeRows<Real>{.p = rock.view(),
+                                 .b = rock.read_bonds(),
+                                 .blocks = rock.block_view(),
+                                 .arms = arms_.data(),
+                                 .gravity = gravity,
+                                 .response_of = &level_->response_of,
+                                 .own = own_.data(),
+                                 .row = row_.data(),
+                                 .overloaded = overloaded});
   }
 
   /// A step, or the first half of one where a window begins (AdvanceRigid).
+  /// @param look  at the loads, which add_loads() has added up
   void advance(Exec& exec, ParticleStore<Exec, Real>& rock, Gather<Real> gather, const Move& move, bool new_forces,
                bool look, std::int32_t* overloaded) {
     gather.with_bonds = false;
     gather.held = nullptr;
-    exec.for_each_block(
-        "rigid rocks", launch(rock),
-        AdvanceRigid<Real>{.blocks = rock.block_view(),
-                           .bodies = bodies_.data(),
-                           .turning = turning_.data(),
-                           .arms = arms_.data(),
-                           .gather = gather,
-                           .move = move,
-                           .new_forces = new_forces,
-                           .bound = {.tables = {force_.data(), moment_.data(), response_.data(), begin_.data()},
-                                     .blocks = rock.block_view(),
-                                     .bodies = bodies_.data(),
-                                     .strength = rock.read_bonds().strength,
-                                     .allowed = level_->bonded_above,
-                                     .overloaded = overloaded},
-                           .look = look});
+    exec.for_each_block("rigid rocks", launch(rock),
+                        AdvanceRigid<Real>{.blocks = rock.block_view(),
+                                           .bodies = bodies_.data(),
+                                           .turning = turning_.data(),
+                                           .arms = arms_.data(),
+                                           .gather = gather,
+                                           .move = move,
+                                           .new_forces = new_forces,
+                                           .loads_known = look,
+                                           .bound = {.rows = row_.data(),
+                                                     .blocks = rock.block_view(),
+                                                     .bodies = bodies_.data(),
+                                                     .strength = rock.read_bonds().strength,
+                                                     .allowed = level_->bonded_above,
+                                                     .overloaded = overloaded},
+                                           .look = look});
   }
 
   void finish_step(Exec& exec, ParticleStore<Exec, Real>& rock, const Scene& scene) {
@@ -101,11 +126,12 @@ class RigidRocks {
 
   /// Makes overloaded rocks particles with bonds. All particles have met.
   void free_overloaded(Exec& exec, ParticleStore<Exec, Real>& rock, const Scene& scene) {
+    forget_rows(Exec::host(rock.blocks()));
     exec.for_each("change level", rocks(rock),
                   FreeRocks{rock.view(), rock.block_view(), bodies_.data(), scene.gravity, scene.dt});
   }
 
-  /// Looks at the bonds of intact rocks, at the end of a window. @param time  of the window [s]
+  /// Looks at the bonds of rocks, at the end of a window. @param time  of the window [s]
   void find_calm(Exec& exec, ParticleStore<Exec, Real>& rock, const SceneLaws<Exec, Real>& laws, double time) {
     exec.for_each("look whether calm", rocks(rock),
                   LookWhetherCalm<Real>{rock.read(), rock.read_bonds(), laws.bond(), laws.bond_model(),
@@ -137,28 +163,63 @@ class RigidRocks {
     if (!in_use()) return;
     Exec::upload(bodies_, from.get<Body>("rigid/bodies", rock.blocks().size()));
     Exec::upload(arms_, from.get<Arm>("rigid/arms", static_cast<std::size_t>(rock.count())));
-    turning_.resize(bodies_.size());
+    own_.clear();
+    Exec::upload(row_, std::vector<const float*>());
+    resize(rock);
   }
 
  private:
+  bool with_pieces() const { return static_cast<bool>(level_->response_of); }
   bool fits(const NewRock& rock) const {
-    if (rock.load_table < 0 || static_cast<std::size_t>(rock.load_table) >= sizes_.size()) return false;
-    const auto& [particles, bonds] = sizes_[static_cast<std::size_t>(rock.load_table)];
-    return static_cast<std::size_t>(particles) == rock.particles.size() &&
-           static_cast<std::size_t>(bonds) == rock.bonds.size();
+    if (rock.load_table < 0 || static_cast<std::size_t>(rock.load_table) >= level_->tables->size()) return false;
+    const LoadTable& table = (*level_->tables)[static_cast<std::size_t>(rock.load_table)];
+    return static_cast<std::size_t>(table.particles) == rock.particles.size() &&
+           static_cast<std::size_t>(table.bonds) == rock.bonds.size();
   }
+
+  /// Room for what all rocks and particles have, and the rows of tables.
+  void resize(const ParticleStore<Exec, Real>& rock) {
+    turning_.resize(bodies_.size());
+    own_.resize(bodies_.size());
+    std::vector<const float*> row = Exec::host(row_);
+    row.resize(static_cast<std::size_t>(rock.count()), nullptr);
+    const auto& blocks = Exec::host(rock.blocks());
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      const Block& b = blocks[k];
+      for (Index n = b.first_particle; n < b.end_particle; ++n) {
+        const float*& of_particle = row[static_cast<std::size_t>(n)];
+        if (b.table != none)
+          of_particle = (*level_->tables)[static_cast<std::size_t>(b.table)].row(n - b.first_particle).numbers;
+        else if (own_[k].made.empty())
+          of_particle = nullptr;
+      }
+    }
+    Exec::upload(row_, std::move(row));
+  }
+
+  /// Rows of their own that rocks need no more, because they become particles with bonds.
+  void forget_rows(const std::vector<Block>& blocks) {
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      const Block& b = blocks[k];
+      if (!b.rigid || !b.overloaded || b.table != none) continue;
+      own_[k] = OwnRows{};
+      std::fill(row_.data() + b.first_particle, row_.data() + b.end_particle, nullptr);
+    }
+  }
+
   static Index rocks(const ParticleStore<Exec, Real>& rock) { return static_cast<Index>(rock.blocks().size()); }
   static BlockLaunch launch(const ParticleStore<Exec, Real>& rock) { return {rocks(rock), run_length}; }
-  CalmRocks calm(const ParticleStore<Exec, Real>& rock) const { return {rock.blocks().data(), level_->calm_time}; }
+  CalmRocks calm(const ParticleStore<Exec, Real>& rock) const {
+    return {rock.blocks().data(), level_->calm_time, with_pieces()};
+  }
 
-  std::optional<RigidLevel> level_;          ///< without its tables
-  std::int64_t look_every_ = 1;              ///< steps of the scene
-  Buffer<Body> bodies_;                      ///< of each block
-  Buffer<Vec3d> turning_;                    ///< AdvanceRigid
-  Buffer<Arm> arms_;                         ///< of each particle
-  Buffer<float> force_, moment_, response_;  ///< TableView
-  Buffer<std::int64_t> begin_;
-  std::vector<std::pair<Index, Index>> sizes_;  ///< particles and bonds of each table
+  std::optional<RigidLevel> level_;
+  std::int64_t look_every_ = 1, divide_every_ = 1;  ///< steps of the scene
+  Buffer<Body> bodies_;                             ///< of each block
+  Buffer<Vec3d> turning_;                           ///< AdvanceRigid
+  Buffer<Arm> arms_;                                ///< of each particle
+  Buffer<const float*> row_;                        ///< of each particle, as in StressBound
+  std::vector<OwnRows> own_;                        ///< of each block
 };
 
 }  // namespace gyro

@@ -27,7 +27,7 @@ class DemSolver final : public Dem {
       : scene_(std::move(scene)),
         exec_(std::move(exec)),
         laws_(scene_),
-        rock_(scene_.bonds.has_value(), scene_.rigid.has_value()),
+        rock_(scene_.bonds.has_value(), scene_.rigid.has_value(), scene_.rigid && scene_.rigid->response_of),
         rigid_(scene_),
         lists_(0.5 * scene_.neighbour_skin, keeps_extra_history(laws_.rock_model()),
                keeps_extra_history(laws_.wall_model())),
@@ -36,7 +36,6 @@ class DemSolver final : public Dem {
         ahead_(exec_) {
     if (Exec::runs_ahead && scene_.rigid)
       throw BadInput("rocks that move as rigid bodies are computed on the CPU only");
-    if (scene_.rigid) scene_.rigid->tables.reset();  // rigid_ has them
   }
 
   void insert(std::span<const NewRock> rocks) override;
@@ -74,7 +73,9 @@ class DemSolver final : public Dem {
   static std::int64_t step_number(const Window& window, int done);
   void begin_step(const Window& window, int done, bool together);
   void meet(const Window& window, int done);
-  void change_levels();
+  void change_levels(const Window& window);
+  void divide_rocks();
+  void advance_rigid_rocks(bool new_forces, bool look);
   void end_step(bool last_of_window);
   void advance_rocks(const Advance& what);
   template <class Kernel>

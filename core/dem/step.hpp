@@ -30,7 +30,7 @@ template <class Exec, class Real>
 void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path) {
   GYRO_EXPECT(window.dt == scene_.dt && window.steps > 0);
   if constexpr (has_levels)
-    if (rigid_.in_use() && primed_) change_levels();
+    if (rigid_.in_use() && primed_) change_levels(window);
   walls_.plan(scene_.walls, window, path);
   if (held()) rock_.loosen_spent_rocks(exec_, scene_.dt, scene_.gravity);
   monitor_.begin_window();
@@ -73,15 +73,26 @@ void DemSolver<Exec, Real>::meet(const Window& window, int done) {
   monitor_.rocks_freed();
 }
 
-/// Where two windows meet: overloaded rocks become particles with bonds, calm ones rigid bodies.
+/// Where two windows meet: overloaded rocks become particles with bonds, broken ones several, calm ones rigid bodies.
 template <class Exec, class Real>
-void DemSolver<Exec, Real>::change_levels() {
+void DemSolver<Exec, Real>::change_levels(const Window& window) {
   rigid_.free_overloaded(exec_, rock_, scene_);
   monitor_.rocks_freed();
+  if (rigid_.divides_before(window)) divide_rocks();
   if (!rigid_.any_calm(exec_, rock_)) return;
   const double before = sums().energy_in_places();
   rigid_.stiffen_calm(exec_, rock_, scene_);
   monitor_.energies().switched += before - sums().energy_in_places();
+}
+
+/// Makes the pieces of broken rocks rocks of their own.
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::divide_rocks() {
+  const DividedRocks divided = rock_.divided();
+  if (!divided.any()) return;
+  lists_.rearrange(divided.places);
+  rigid_.rearrange(divided.places, rock_.divide(divided), rock_);
+  monitor_.reserve_events(rock_.bond_count());
 }
 
 template <class Exec, class Real>
@@ -104,9 +115,21 @@ void DemSolver<Exec, Real>::begin_step(const Window& window, int done, bool toge
   const std::int64_t before = step_number(window, done);
   advance_rocks(together ? Advance{Motions::move, before} : Advance{Motions::move_on, before - 1, 1});
   if constexpr (has_levels)
-    if (rigid_.in_use())
-      rigid_.advance(exec_, rock_, gather(), move(), !together, rigid_.looks_in(before),
-                     &monitor_.flags()->rock_overloaded);
+    if (rigid_.in_use()) advance_rigid_rocks(!together, rigid_.looks_in(before));
+}
+
+/// @param new_forces  of contacts, since the last step
+/// @param look        whether at the loads that they bear
+template <class Exec, class Real>
+void DemSolver<Exec, Real>::advance_rigid_rocks(bool new_forces, bool look) {
+  if (look) {
+    rigid_.add_loads(exec_, rock_, gather(), new_forces, &monitor_.flags()->rows_lacking);
+    if (monitor_.raised().rows_lacking) {
+      rigid_.make_rows(exec_, rock_, scene_.gravity, &monitor_.flags()->rock_overloaded);
+      monitor_.rows_made();
+    }
+  }
+  rigid_.advance(exec_, rock_, gather(), move(), new_forces, look, &monitor_.flags()->rock_overloaded);
 }
 
 template <class Exec, class Real>

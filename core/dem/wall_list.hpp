@@ -59,13 +59,13 @@ class WallList {
   void extend_rows(Index particles) { gyro::extend_rows<Exec>(now_.row_begin, particles, now_.entry.size()); }
 
   /// Entries of the particles that stay, with their history, under the new indices.
-  void keep(const Remaining& remaining) {
+  void rearrange(const NewPlaces& places) {
     const auto& entries = Exec::host(now_.entry);
     const auto& row_begin = Exec::host(now_.row_begin);
     std::vector<WallEntry> kept;
     std::vector<Index> source, rows(1, 0);
-    for (std::size_t k = 0; k < remaining.old_index.size(); ++k) {
-      const auto n = static_cast<std::size_t>(remaining.old_index[k]);
+    for (std::size_t k = 0; k < places.old_index.size(); ++k) {
+      const auto n = static_cast<std::size_t>(places.old_index[k]);
       for (Index e = row_begin[n]; e < row_begin[n + 1]; ++e) {
         WallEntry entry = entries[static_cast<std::size_t>(e)];
         entry.particle = static_cast<Index>(k);

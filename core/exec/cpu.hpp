@@ -221,17 +221,24 @@ class Cpu {
     if (size > buffer.capacity()) buffer.reserve(size + size / 8);
     buffer.insert(buffer.end(), values.begin(), values.end());
   }
-  /// Shortens a buffer: element k becomes what was element source[k], zero where that is `none`.
-  /// @param source  source[k] >= k
+  /// Rearranges a buffer: element k becomes what was element source[k], zero where that is `none`. In place where
+  /// elements only move to the front.
   template <class T>
   static void keep(Buffer<T>& buffer, const std::vector<Index>& source) {
-    GYRO_EXPECT(source.size() <= buffer.size());
+    Buffer<T> rearranged;
+    bool in_place = source.size() <= buffer.size();
     for (std::size_t k = 0; k < source.size(); ++k) {
-      GYRO_EXPECT(source[k] == none ||
-                  (source[k] >= static_cast<Index>(k) && source[k] < static_cast<Index>(buffer.size())));
-      buffer[k] = source[k] == none ? T{} : buffer[static_cast<std::size_t>(source[k])];
+      GYRO_EXPECT(source[k] == none || (source[k] >= 0 && source[k] < static_cast<Index>(buffer.size())));
+      in_place = in_place && (source[k] == none || source[k] >= static_cast<Index>(k));
     }
-    buffer.resize(source.size());
+    if (!in_place) rearranged.resize(source.size());
+    Buffer<T>& to = in_place ? buffer : rearranged;
+    for (std::size_t k = 0; k < source.size(); ++k)
+      to[k] = source[k] == none ? T{} : buffer[static_cast<std::size_t>(source[k])];
+    if (in_place)
+      buffer.resize(source.size());
+    else
+      buffer.swap(rearranged);
   }
 
   template <class T>

@@ -38,8 +38,8 @@ struct FreeRocks {
   }
 };
 
-/// For how long the bonds of each intact rock have been loaded less than a share of their strength, as seen at the ends
-/// of windows.
+/// For how long the bonds of each rock or piece have been loaded less than a share of their strength, as seen at the
+/// ends of windows.
 template <class Real>
 struct LookWhetherCalm {
   ConstParticleView p;
@@ -52,13 +52,14 @@ struct LookWhetherCalm {
 
   GYRO_HD void operator()(Index k) const {
     Block& block = blocks[k];
-    if (block.rigid || block.table == none) return;
-    block.calm = block.state == block_intact && is_calm(block) ? block.calm + time : 0;
+    if (block.rigid || !may_be_rigid(block)) return;
+    block.calm = is_calm(block) ? block.calm + time : 0;
   }
 
  private:
   GYRO_HD bool is_calm(const Block& block) const {
     for (Index n = block.first_bond; n < block.first_bond + block.table_bonds; ++n) {
+      if (b.state[n] != bond_intact) return false;
       const BondLoad<Real> load = bond_load(model, law, BondLanes<Real, OneLane>(OneLane{n}, p, b), false);
       if (static_cast<double>(larger(load.tension_ratio, load.shear_ratio)) > allowed) return false;
     }
@@ -69,11 +70,12 @@ struct LookWhetherCalm {
 /// 1 for each rock that has been calm for long enough; the map of a sum over rocks.
 struct CalmRocks {
   const Block* blocks;
-  double enough;  ///< [s]
+  double enough;     ///< [s]
+  bool with_pieces;  ///< also those without a load table of their own
 
   GYRO_HD Index operator()(Index k) const {
     const Block& b = blocks[k];
-    return !b.rigid && b.table != none && b.state == block_intact && b.calm >= enough ? 1 : 0;
+    return !b.rigid && may_be_rigid(b) && (b.table != none || with_pieces) && b.calm >= enough ? 1 : 0;
   }
 };
 
@@ -97,8 +99,8 @@ struct CountRigid {
   }
 };
 
-/// Makes calm rocks rigid. Linear and angular momentum stay, and so does the centre of mass; the shape becomes the
-/// undeformed one in the orientation that fits the particles best:
+/// Makes calm rocks and pieces rigid. Linear and angular momentum stay, and so does the centre of mass; the shape
+/// becomes the undeformed one in the orientation that fits the particles best:
 ///
 ///   Q = mean of the orientations of the particles, by mass, turned by phi that minimises, with delta the rotations of
 ///       the particles from their mean, sum m |x - X - Q a - phi x Q a|^2 + sum I |phi - delta|^2
@@ -109,7 +111,7 @@ struct StiffenCalm {
   ParticleView p;
   Block* blocks;
   Body* bodies;
-  const Arm* arms;
+  Arm* arms;
   CalmRocks calm;
   Vec3d gravity;
   double dt;  ///< step of the scene [s]
@@ -118,6 +120,7 @@ struct StiffenCalm {
     if (calm(k) == 0) return;
     const IndexRange particles{blocks[k].first_particle, blocks[k].end_particle};
     Body body = bodies[k];
+    if (blocks[k].table == none) take_shape(body, particles);
     take_motion(body, particles);
     take_orientation(body, particles);
     const Vec3d w = angular_velocity(body, body.orientation);
@@ -129,6 +132,27 @@ struct StiffenCalm {
   }
 
  private:
+  /// Of a rock that may be a part of what came into the scene: mass and inertia, and arms from its own centre of mass.
+  GYRO_HD void take_shape(Body& body, const IndexRange& particles) const {
+    Vec3d middle{0, 0, 0};
+    body.mass = 0;
+    for (Index n = particles.begin; n < particles.end; ++n) {
+      body.mass += p.motion[n].mass;
+      middle += p.motion[n].mass * arms[n].arm;
+    }
+    middle = (1 / body.mass) * middle;
+    Symmetric inertia{{0, 0, 0}, {0, 0, 0}};
+    for (Index n = particles.begin; n < particles.end; ++n) {
+      arms[n].arm -= middle;
+      inertia.add_point(p.motion[n].mass, arms[n].arm);
+      inertia.diagonal += p.angular_motion[n].inertia * Vec3d{1, 1, 1};
+    }
+    const Symmetric inverted = inverse(inertia);
+    body.diagonal = inverted.diagonal;
+    body.rest = inverted.rest;
+    body.frame = {1, 0, 0, 0};  // rows are made in the frame of the arms
+  }
+
   GYRO_HD void take_motion(Body& body, const IndexRange& particles) const {
     Vec3d middle{0, 0, 0}, momentum{0, 0, 0}, spin{0, 0, 0};
     for (Index n = particles.begin; n < particles.end; ++n) {

@@ -49,6 +49,44 @@ GYRO_HD inline void spread_velocity(const ParticleView& p, const IndexRange& par
   }
 }
 
+/// The loads of rigid rocks, before they are looked at, and whether rows of load tables are lacking for that.
+///
+/// A kernel for Exec::for_each_block: a block is a rock, its rows are particles, its one item the rock.
+template <class Real>
+struct LoadRigid {
+  using Lane = OneLane;
+  using Pack = OneLane;
+  using RowPack = PackOfParticles<native_lanes>;
+
+  Block* blocks;
+  Gather<Real> gather;       ///< without bonds, nothing held
+  bool new_forces;           ///< as in AdvanceRigid
+  const float* const* made;  ///< rows, as in StressBound
+  std::int32_t* lacking;     ///< set to 1 by any rock that lacks rows
+
+  GYRO_HD IndexRange rows(Index k) const { return {blocks[k].first_particle, blocks[k].end_particle}; }
+  GYRO_HD IndexRange share(Index k) const { return rows(k); }
+  GYRO_HD IndexRange items(Index k) const { return {k, k + 1}; }
+  GYRO_HD IndexRange colours(Index k) const { return {k, k + 1}; }
+  GYRO_HD IndexRange items_of_colour(Index colour) const { return {colour, colour + 1}; }
+  GYRO_HD int passes(Index k) const { return blocks[k].rigid ? 1 : 0; }
+
+  GYRO_HD void prepare(Index particle, Index k, int pass) const { prepare(OneParticle{particle}, k, pass); }
+  template <class Lanes>
+  GYRO_FLATTEN GYRO_HD void prepare(const Lanes& particles, Index, int) const {
+    if (new_forces) particles.store(gather.p.load, gather.sum(particles, particles.load(gather.p.motion).number, true));
+  }
+
+  GYRO_HD void operator()(const OneLane&, Index k, int) const {
+    for (Index n = blocks[k].first_particle; n < blocks[k].end_particle; ++n) {
+      if (made[n] != nullptr || !is_loaded(gather.p, gather.gravity, n)) continue;
+      blocks[k].lacks_rows = 1;
+      if (!is_raised(lacking)) raise_flag(lacking);
+      return;
+    }
+  }
+};
+
 /// A step of all rigid rocks, from the contact forces at one time to the positions of the next. Velocity Verlet for the
 /// body: v(n+1/2) = v(n-1/2) + dt F(n)/m, L(n+1/2) = L(n-1/2) + dt T(n), then x(n+1), Q(n+1) from these.
 ///
@@ -66,7 +104,8 @@ struct AdvanceRigid {
   const Arm* arms;
   Gather<Real> gather;  ///< without bonds, nothing held
   Move move;
-  bool new_forces;  ///< the last step has new contact forces; otherwise a window begins, and it is complete
+  bool new_forces;   ///< the last step has new contact forces; otherwise a window begins, and it is complete
+  bool loads_known;  ///< LoadRigid has added them up
   StressBound<Real> bound;
   bool look;  ///< compares the loads with what the rock bears
 
@@ -82,7 +121,7 @@ struct AdvanceRigid {
   GYRO_FLATTEN GYRO_HD void prepare(const Lanes& particles, Index k, int pass) const {
     if (pass == 1)
       follow(particles, k);
-    else if (new_forces)
+    else if (new_forces && !loads_known)
       particles.store(gather.p.load, gather.sum(particles, particles.load(gather.p.motion).number, true));
   }
 

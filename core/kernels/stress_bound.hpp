@@ -12,11 +12,10 @@
 
 namespace gyro {
 
-/// The load tables of a scene, on the executor: those of LoadTable, one after the other.
-struct TableView {
-  const float *force, *moment, *response;  ///< as in LoadTable
-  const std::int64_t* begin;  ///< first number of each table in force and moment; 36 times that in response
-};
+/// Whether something other than weight acts on a particle: without contacts the load is the weight, to the last bit.
+GYRO_HD inline bool is_loaded(const ParticleView& p, const Vec3d& gravity, Index n) {
+  return norm2(p.load[n].force - p.motion[n].mass * gravity) != 0 || norm2(p.load[n].torque) != 0;
+}
 
 /// Finds rigid rocks of which a bond is loaded beyond a share of its strength: first by the bound of LoadTable, then by
 /// its responses, for the loads that act on the particles now.
@@ -24,15 +23,16 @@ template <class Real>
 struct StressBound {
   static constexpr int at_once = 16;  ///< bonds
 
-  TableView tables;
+  const float* const* rows;  ///< LoadRow of each particle in a rigid rock; null: not made yet
   Block* blocks;
   const Body* bodies;
   const Real* strength;      ///< factor of each bond
   double allowed;            ///< largest ratio of stress and strength [-]
   std::int32_t* overloaded;  ///< set to 1 by any rock beyond it
 
-  /// @param p  with the loads of all particles
+  /// @param p  with the loads of all particles; the loaded ones have their rows
   GYRO_HD void look(const ParticleView& p, const Vec3d& gravity, Index k) const {
+    if (blocks[k].overloaded) return;  // it has no rows
     Loaded loaded[max_rigid_particles];
     const int count = find_loaded(p, gravity, k, loaded);
     if (is_bounded(blocks[k], loaded, count) || bears(blocks[k], loaded, count)) return;
@@ -42,7 +42,7 @@ struct StressBound {
 
  private:
   struct Loaded {
-    std::int64_t particle;    ///< in the rock
+    LoadRow<const float> row;
     float load[point_loads];  ///< frame of the table
     float force, moment;      ///< their sizes
   };
@@ -53,12 +53,11 @@ struct StressBound {
     const Quatd orientation = bodies[k].orientation * bodies[k].frame;  // of the table
     int count = 0;
     for (Index n = block.first_particle; n < block.end_particle; ++n) {
-      // Without contacts the load is the weight, to the last bit.
+      if (!is_loaded(p, gravity, n)) continue;
       const Vec3d force = p.load[n].force - p.motion[n].mass * gravity, moment = p.load[n].torque;
-      if (norm2(force) == 0 && norm2(moment) == 0) continue;
       const Vec3<float> f = cast<float>(rotate_back(orientation, force)),
                         m = cast<float>(rotate_back(orientation, moment));
-      loaded[count++] = {n - block.first_particle, {f.x, f.y, f.z, m.x, m.y, m.z}, norm(f), norm(m)};
+      loaded[count++] = {{rows[n], block.table_bonds}, {f.x, f.y, f.z, m.x, m.y, m.z}, norm(f), norm(m)};
     }
     return count;
   }
@@ -69,9 +68,8 @@ struct StressBound {
       const Index some = bonds - b < at_once ? bonds - b : at_once;
       float ratio[at_once] = {};
       for (int l = 0; l < count; ++l) {
-        const std::int64_t row = tables.begin[block.table] + loaded[l].particle * bonds + b;
-        for (Index n = 0; n < some; ++n)
-          ratio[n] += loaded[l].force * tables.force[row + n] + loaded[l].moment * tables.moment[row + n];
+        const float *force = loaded[l].row.force() + b, *moment = loaded[l].row.moment() + b;
+        for (Index n = 0; n < some; ++n) ratio[n] += loaded[l].force * force[n] + loaded[l].moment * moment[n];
       }
       if (!all_below(ratio, block.first_bond + b, some)) return false;
     }
@@ -84,8 +82,7 @@ struct StressBound {
       const Index some = bonds - b < at_once ? bonds - b : at_once;
       float s[bond_stresses][at_once] = {};
       for (int l = 0; l < count; ++l) {
-        const float* row = tables.response +
-                           point_loads * bond_stresses * (tables.begin[block.table] + loaded[l].particle * bonds) + b;
+        const float* row = loaded[l].row.response(0, 0) + b;
         for (int load = 0; load < point_loads; ++load)
           for (int stress = 0; stress < bond_stresses; ++stress, row += bonds)
             for (Index n = 0; n < some; ++n) s[stress][n] += loaded[l].load[load] * row[n];

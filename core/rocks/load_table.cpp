@@ -141,7 +141,7 @@ class BondResponse {
   }
 
  private:
-  const TemplateBond& bond_;
+  TemplateBond bond_;
   BondFrame frame_;
   Matrix23 sides_;
   double normal_, bending_, shear_, torsion_;  ///< stress ratio of a displacement or rotation of 1
@@ -154,34 +154,43 @@ double largest_ratio(const Eigen::Matrix<double, 6, 3>& s) {
   return std::max(tension, shear);
 }
 
+/// Everything that the rows of a table need.
+class RockResponse final : public LoadResponse {
+ public:
+  RockResponse(const RockTemplate& rock, const BondParameters& bonds) : held_(rock, bonds), body_(rock) {
+    responses_.reserve(rock.bonds.size());
+    for (const TemplateBond& bond : rock.bonds) responses_.emplace_back(rock, bond, bonds);
+  }
+
+  void fill(Index particle, const LoadRow<float>& to) const override {
+    const Loads u = held_.displacements(balanced_loads(body_, static_cast<std::size_t>(particle)));
+    for (std::size_t b = 0; b < responses_.size(); ++b) {
+      const Stresses s = responses_[b].stresses(u);
+      to.force()[b] = static_cast<float>(largest_ratio(s.leftCols<3>()));
+      to.moment()[b] = static_cast<float>(largest_ratio(s.rightCols<3>()));
+      for (int load = 0; load < point_loads; ++load)
+        for (int stress = 0; stress < bond_stresses; ++stress)
+          to.response(load, stress)[b] = static_cast<float>(s(stress, load));
+    }
+  }
+
+ private:
+  HeldRock held_;
+  RigidMass body_;
+  std::vector<BondResponse> responses_;
+};
+
 }  // namespace
 
 LoadTable load_table(const RockTemplate& rock, const BondParameters& bonds) {
-  LoadTable table;
-  table.particles = static_cast<Index>(rock.centres.size());
-  table.bonds = static_cast<Index>(rock.bonds.size());
-  const HeldRock held(rock, bonds);
-  const RigidMass body(rock);
-  std::vector<BondResponse> responses;
-  responses.reserve(rock.bonds.size());
-  for (const TemplateBond& bond : rock.bonds) responses.emplace_back(rock, bond, bonds);
-  table.force.reserve(rock.centres.size() * rock.bonds.size());
-  table.moment.reserve(table.force.capacity());
-  const std::size_t of_particle = point_loads * bond_stresses * rock.bonds.size();
-  table.response.resize(rock.centres.size() * of_particle);
-  for (std::size_t i = 0; i < rock.centres.size(); ++i) {
-    const Loads u = held.displacements(balanced_loads(body, i));
-    for (std::size_t b = 0; b < rock.bonds.size(); ++b) {
-      const Stresses s = responses[b].stresses(u);
-      table.force.push_back(static_cast<float>(largest_ratio(s.leftCols<3>())));
-      table.moment.push_back(static_cast<float>(largest_ratio(s.rightCols<3>())));
-      float* to = table.response.data() + i * of_particle + b;
-      for (Eigen::Index load = 0; load < point_loads; ++load)
-        for (Eigen::Index stress = 0; stress < bond_stresses; ++stress, to += rock.bonds.size())
-          *to = static_cast<float>(s(stress, load));
-    }
-  }
+  LoadTable table(static_cast<Index>(rock.centres.size()), static_cast<Index>(rock.bonds.size()));
+  const RockResponse response(rock, bonds);
+  for (Index particle = 0; particle < table.particles; ++particle) response.fill(particle, table.row(particle));
   return table;
+}
+
+std::unique_ptr<LoadResponse> load_response(const RockTemplate& rock, const BondParameters& bonds) {
+  return std::make_unique<RockResponse>(rock, bonds);
 }
 
 }  // namespace gyro

@@ -5,6 +5,8 @@
 #include "core/scene/bond_parameters.hpp"
 #include "core/scene/load_table.hpp"
 
+#include <memory>
+
 namespace gyro {
 
 /// Bounds on the stresses that loads on single particles cause in the bonds of a rock that they accelerate as a rigid
@@ -26,5 +28,9 @@ namespace gyro {
 /// Cost: one sparse factorisation and 6 solutions a particle. Memory: 152 bytes a particle and bond, 7.8 MB for 138
 /// particles, growing with the square of their number.
 LoadTable load_table(const RockTemplate& rock, const BondParameters& bonds);
+
+/// The same, row by row: one factorisation here, 6 solutions a row.
+/// @param rock  in one piece, of at least two particles
+std::unique_ptr<LoadResponse> load_response(const RockTemplate& rock, const BondParameters& bonds);
 
 }  // namespace gyro

@@ -7,8 +7,10 @@
 #include "core/scene/bond_parameters.hpp"
 #include "core/scene/load_table.hpp"
 #include "core/scene/material.hpp"
+#include "core/scene/new_rock.hpp"
 #include "core/scene/triangle_mesh.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,7 +96,7 @@ struct StepLimits {
   double bond_rotation = 0.5;  ///< 2 sin(theta/2), theta the rotation of a bond's ends against each other [rad]
 };
 
-/// When an intact rock moves as one rigid body in place of particles and bonds.
+/// When a rock, or a piece of one, moves as one rigid body in place of particles and bonds.
 struct RigidLevel {
   double bonded_above = 0.5;  ///< static stress / strength of a bond beyond which the rock's bonds are evaluated [-]
   double rigid_below = 0.2;   ///< largest stress / strength with which a rock becomes rigid [-]
@@ -102,6 +104,9 @@ struct RigidLevel {
   double look_interval =
       1e-4;  ///< longest time between two looks at the loads of rigid rocks, or a step if that is longer [s]
   std::shared_ptr<const std::vector<LoadTable>> tables;  ///< of NewRock::load_table; never null. Shared: they are large
+  /// Of a rock free of load that is in one piece, in the frame of its particles. Empty: rocks without a table, and
+  /// pieces of broken rocks, are never rigid.
+  std::function<std::unique_ptr<LoadResponse>(const NewRock&)> response_of = {};
 };
 
 /// Everything about a DEM scene that does not change while it runs.

@@ -3,6 +3,7 @@
 
 #include "core/base/fields.hpp"
 #include "core/base/hd.hpp"
+#include "core/scene/load_table.hpp"
 #include "core/state/columns.hpp"
 
 namespace gyro {
@@ -69,12 +70,15 @@ struct Block {
   Index first_bond, end_bond;      ///< end is padded to bond_alignment; none once the rock is spent (spent_rocks.hpp)
   Index first_colour, end_colour;  ///< range in the array of colour begins
   RockId rock;
-  std::int32_t state;           ///< BlockState
-  std::int32_t substeps;        ///< steps of its bonds in a step of the scene; 1 without bonds
-  Index table = none;           ///< load table of the rock; none: it never moves as a rigid body
-  Index table_bonds = 0;        ///< bonds in it: those of the block, in their order
-  std::int32_t rigid = 0;       ///< 1: it moves as a rigid body, and its bonds are not evaluated
+  std::int32_t state;     ///< BlockState
+  std::int32_t substeps;  ///< steps of its bonds in a step of the scene; 1 without bonds
+  Index table = none;     ///< load table of the rock; none: its rows are made as they are needed
+  Index table_bonds = 0;  ///< bonds in the table: those of the block, in their order
+  std::int32_t free_of_load =
+      0;                   ///< 1: its particles came into the scene as they lie without loads, and levels are in use
+  std::int32_t rigid = 0;  ///< 1: it moves as a rigid body, and its bonds are not evaluated
   std::int32_t overloaded = 0;  ///< 1: a rigid rock whose bonds must be evaluated again
+  std::int32_t lacks_rows = 0;  ///< 1: particles that are loaded have no rows of a load table
   double calm = 0;              ///< time for which its bonds have been loaded little [s]
 
   template <class F, class... B>
@@ -90,12 +94,19 @@ struct Block {
     f("substeps", b.substeps...);
     f("table", b.table...);
     f("table_bonds", b.table_bonds...);
+    f("free_of_load", b.free_of_load...);
     f("rigid", b.rigid...);
     f("overloaded", b.overloaded...);
+    f("lacks_rows", b.lacks_rows...);
     f("calm", b.calm...);
   }
 };
 static_assert(declares_every_field<Block>);
+
+/// Whether the bonds of a block hold it together in one piece that may move as a rigid body, if all of them are intact.
+GYRO_HD inline bool may_be_rigid(const Block& b) {
+  return b.free_of_load && b.table_bonds > 0 && b.end_particle - b.first_particle <= max_rigid_particles;
+}
 
 /// The bonds that are not broken, by particle: row n of `bond` is [begin[n], begin[n + 1]).
 struct BondIndex {

@@ -12,6 +12,7 @@ struct StepFlags {
   std::int32_t failures;         ///< bonds that have failed in this window
   std::int32_t limit_exceeded;   ///< a step passed one of Scene::limits
   std::int32_t rock_overloaded;  ///< the bonds of a rigid rock must be evaluated again
+  std::int32_t rows_lacking;     ///< particles of rigid rocks are loaded that have no rows of a load table
 };
 
 /// How far a device has come that takes steps while the host does not look.

@@ -27,8 +27,9 @@ CaseNumerics numerics_of(const Setting& root) {
   numerics.substeps = static_cast<int>(root.number("numerics.substeps"));
   numerics.hold = number_if(root, "numerics.hold");
   if (!numerics.hold && root.text("numerics.hold") == "auto" && numerics.substeps == 1) numerics.hold = 0;
-  if (root.text("numerics.levels.rigid") == "rocks") {
+  if (const std::string level = root.text("numerics.levels.rigid"); level != "off") {
     CaseRigidRocks rigid;
+    rigid.pieces = level == "pieces";
     rigid.bonded_above = root.number("numerics.levels.bonded_above");
     rigid.rigid_below = root.number("numerics.levels.rigid_below");
     rigid.calm_time = root.number("numerics.levels.calm_time");

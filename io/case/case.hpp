@@ -114,6 +114,7 @@ struct CaseFmu : DriveFmu {
 
 /// `numerics.levels` with rigid rocks; as RigidLevel.
 struct CaseRigidRocks {
+  bool pieces = false;                                                                      ///< also of broken rocks
   double bonded_above = RigidLevel{}.bonded_above, rigid_below = RigidLevel{}.rigid_below;  ///< [-]
   double calm_time = RigidLevel{}.calm_time;                                                ///< [s]
 };

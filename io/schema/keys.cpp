@@ -260,16 +260,17 @@ const std::vector<Key> run_keys = {
 
     {.path = "numerics.levels", .defaulted = true,
      .doc = "Levels of detail: what is computed only while a rock needs it. Each changes results a little."},
-    {.path = "numerics.levels.rigid", .type = word, .fallback = "off", .words = "off|rocks",
+    {.path = "numerics.levels.rigid", .type = word, .fallback = "off", .words = "off|rocks|pieces",
      .doc = "rocks: an intact rock moves as a rigid body while the contact forces on it, which are looked at every 0.1 ms, stress its bonds "
-            "little; off: all bonds are always evaluated. On the CPU only."},
-    {.path = "numerics.levels.bonded_above", .type = quantity, .fallback = "0.5", .range = {.low = 0, .high = 1, .low_open = true}, .when = "rigid=rocks",
+            "little; pieces: the pieces of broken rocks do so, too, and single particles take the step of contacts; off: all bonds are "
+            "always evaluated. On the CPU only."},
+    {.path = "numerics.levels.bonded_above", .type = quantity, .fallback = "0.5", .range = {.low = 0, .high = 1, .low_open = true}, .when = "rigid=rocks|pieces",
      .doc = "Static stress / strength of a bond, from the contact forces on a rigid rock, beyond which the rock's bonds are evaluated."},
-    {.path = "numerics.levels.rigid_below", .type = quantity, .fallback = "0.2", .range = {.low = 0, .high = 1, .low_open = true}, .when = "rigid=rocks",
-     .doc = "Stress / strength below which all bonds of an intact rock must stay for calm_time before it becomes rigid, as "
+    {.path = "numerics.levels.rigid_below", .type = quantity, .fallback = "0.2", .range = {.low = 0, .high = 1, .low_open = true}, .when = "rigid=rocks|pieces",
+     .doc = "Stress / strength below which all bonds of a rock or piece must stay for calm_time before it becomes rigid, as "
             "seen at the ends of coupling intervals."},
-    {.path = "numerics.levels.calm_time", .type = quantity, .dimension = Dimension::time, .fallback = "5 ms", .range = positive, .when = "rigid=rocks",
-     .doc = "Time for which an intact rock must be loaded little before it becomes rigid."},
+    {.path = "numerics.levels.calm_time", .type = quantity, .dimension = Dimension::time, .fallback = "5 ms", .range = positive, .when = "rigid=rocks|pieces",
+     .doc = "Time for which a rock or piece must be loaded little before it becomes rigid."},
 
     {.path = "particles", .doc = "Start state from files, instead of a feed or in addition to it."},
     {.path = "particles.file", .type = file, .required = true,

@@ -9,7 +9,10 @@
 #include "tests/catch.hpp"
 #include "tests/gpu/same_bits.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 using namespace gyro;
 using namespace gyro::fixtures;
@@ -20,16 +23,27 @@ namespace {
 /// A table of a rock in which a vertical force on any particle shears every bond alike. @param per_newton  stress ratio
 /// of every bond [1/N]
 LoadTable even_table(const NewRock& rock, float per_newton) {
-  LoadTable table;
-  table.particles = static_cast<Index>(rock.particles.size());
-  table.bonds = static_cast<Index>(rock.bonds.size());
-  table.force.assign(rock.particles.size() * rock.bonds.size(), per_newton);
-  table.moment.assign(table.force.size(), 0);
-  table.response.assign(point_loads * bond_stresses * table.force.size(), 0);
-  for (std::size_t i = 0; i < rock.particles.size(); ++i)  // shear by the force along z
-    for (std::size_t b = 0; b < rock.bonds.size(); ++b)
-      table.response[((i * point_loads + 2) * bond_stresses + 1) * rock.bonds.size() + b] = per_newton;
+  LoadTable table(static_cast<Index>(rock.particles.size()), static_cast<Index>(rock.bonds.size()));
+  for (Index i = 0; i < table.particles; ++i)
+    for (Index b = 0; b < table.bonds; ++b)  // shear by the force along z
+      table.row(i).force()[b] = table.row(i).response(2, 1)[b] = per_newton;
   return table;
+}
+
+/// The same rows for rocks and pieces without a table.
+std::function<std::unique_ptr<LoadResponse>(const NewRock&)> even_response(float per_newton) {
+  struct Even final : LoadResponse {
+    LoadTable table;
+    void fill(Index particle, const LoadRow<float>& to) const override {
+      const LoadRow<const float> row = table.row(particle);
+      std::copy_n(row.numbers, load_row_width * table.bonds, to.numbers);
+    }
+  };
+  return [per_newton](const NewRock& rock) {
+    auto response = std::make_unique<Even>();
+    response->table = even_table(rock, per_newton);
+    return response;
+  };
 }
 
 std::shared_ptr<const std::vector<LoadTable>> one_table(const LoadTable& table) {
@@ -180,7 +194,8 @@ TEST_CASE("A rock that comes to rest inside becomes rigid again: momentum stays,
 namespace {
 
 /// Rocks that break, become rigid and are taken out: breaking_scene() with a table for its rocks.
-Scene changing_scene() {
+/// @param pieces  may become rigid as well
+Scene changing_scene(bool pieces) {
   Scene scene = breaking_scene();
   scene.bonds->tensile_strength *= 20;
   scene.bonds->shear_strength *= 20;
@@ -190,6 +205,7 @@ Scene changing_scene() {
                            .calm_time = 1e-4,
                            .look_interval = 4e-6,
                            .tables = one_table(even_table(rock, 2e-3f))};
+  if (pieces) scene.rigid->response_of = even_response(2e-3f);
   return scene;
 }
 
@@ -204,9 +220,9 @@ std::vector<NewRock> with_tables(std::vector<NewRock> rocks) {
 }
 
 /// Runs the scene in windows, each in the next of the solvers; a single one is never restored.
-std::vector<SavedState> changed_on(const std::vector<int>& threads) {
+std::vector<SavedState> changed_on(const std::vector<int>& threads, bool pieces) {
   std::vector<std::unique_ptr<Dem>> solvers;
-  for (const int n : threads) solvers.push_back(make_cpu_dem(changing_scene(), Precision::mixed, n));
+  for (const int n : threads) solvers.push_back(make_cpu_dem(changing_scene(pieces), Precision::mixed, n));
   std::vector<SavedState> states;
   std::int64_t step = 0;
   for (std::size_t w = 0; w < 60; ++w) {
@@ -233,11 +249,19 @@ int rigid_rocks(const SavedState& state) {
   return count;
 }
 
+/// Those that are pieces of broken rocks.
+int rigid_pieces(const SavedState& state) {
+  int count = 0;
+  for (const Block& b : state.get<Block>("blocks")) count += b.rigid && b.table == none;
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("Rocks change their level at the same steps on any number of threads and after a restart", "[dem][levels]") {
-  const std::vector<SavedState> one = changed_on({1}), many = changed_on({2, 7, 1});
-  int freed = 0, stiffened = 0;
+  const bool pieces = GENERATE(false, true);
+  const std::vector<SavedState> one = changed_on({1}, pieces), many = changed_on({2, 7, 1}, pieces);
+  int freed = 0, stiffened = 0, most_pieces = 0;
   for (std::size_t w = 0; w < one.size(); ++w) {
     CAPTURE(w);
     CHECK(same_bytes(one[w].get<Sphere>("particles/position"), many[w].get<Sphere>("particles/position")));
@@ -248,12 +272,72 @@ TEST_CASE("Rocks change their level at the same steps on any number of threads a
     CHECK(one[w].get_one<EnergyTerms>("dem/energies").wall_work ==
           many[w].get_one<EnergyTerms>("dem/energies").wall_work);
     CHECK(rigid_rocks(one[w]) == rigid_rocks(many[w]));
+    most_pieces = std::max(most_pieces, rigid_pieces(one[w]));
     if (w == 0 || w == 20 || w == 40) continue;  // rocks come and go
     freed += std::max(0, rigid_rocks(one[w - 1]) - rigid_rocks(one[w]));
     stiffened += std::max(0, rigid_rocks(one[w]) - rigid_rocks(one[w - 1]));
   }
   CHECK(freed > 1);
   CHECK(stiffened > 0);
+  CHECK((most_pieces > 0) == pieces);
+}
+
+namespace {
+
+/// A block of 4 x 2 x 1 particles, in free space, whose halves fly apart at +-0.5 m/s and rotate.
+NewRock halves() {
+  NewRock rock = placed(block(0, {4, 2, 1}), 0, 0, {0, 0, 0.06}, rotation_about({0.6, 0.8, 0}, 0.5));
+  const NewRock in_place = block(0, {4, 2, 1});
+  double middle = 0;
+  for (const NewParticle& p : in_place.particles)
+    middle += p.position.x / static_cast<double>(in_place.particles.size());
+  const Vec3d along = rotate(rotation_about({0.6, 0.8, 0}, 0.5), Vec3d{1, 0, 0});
+  const auto side = [&](Index n) { return in_place.particles[static_cast<std::size_t>(n)].position.x > middle; };
+  for (NewBond& b : rock.bonds)
+    if (side(b.i) != side(b.j)) b.strength = 1e-3;
+  add_rigid_motion(rock, {0.1, 0, 0}, {4, 5, -3});
+  for (std::size_t n = 0; n < rock.particles.size(); ++n)
+    rock.particles[n].velocity += (side(static_cast<Index>(n)) ? 0.5 : -0.5) * along;
+  rock.load_table = 0;
+  return rock;
+}
+
+}  // namespace
+
+TEST_CASE("The pieces of a broken rock become rigid, hit walls and go on with their momentum", "[dem][levels]") {
+  const Precision precision = GENERATE(Precision::double_, Precision::mixed);
+  const NewRock rock = halves();
+  Scene scene = on_floor(even_table(rock, 0), 0.2);
+  scene.gravity = {0, 0, 0};
+  scene.rigid->calm_time = 1e-3;
+  scene.rigid->response_of = even_response(0);
+  Stage stage(scene, precision);
+  stage.insert({rock});
+  const Motion6 start = motion_of(stage.dem().particles());
+  Motion6 before = start;
+  for (int w = 0; w < 200 && stage.dem().counts().rigid_particles < 8; ++w) {
+    before = motion_of(stage.dem().particles());
+    stage.advance(50);
+    if (stage.time() > 0.02) break;
+  }
+  REQUIRE(stage.dem().counts().rigid_particles == 8);
+  const Motion6 rigid = motion_of(stage.dem().particles());
+  CHECK(norm(rigid.momentum - before.momentum) < 1e-12 * norm(start.momentum));
+  CHECK(norm(rigid.angular - before.angular) < 1e-9 * norm(start.angular));
+  const EnergyTerms at_rest = stage.dem().energy();
+  CHECK(std::abs(at_rest.switched) < 0.01 * at_rest.kinetic);
+  // One of them hits the floor; damping of contacts is zero.
+  bool hit = false;
+  for (int w = 0; w < 1200; ++w) {
+    const Vec3d momentum = stage.dem().momentum();
+    stage.advance(50);
+    const Vec3d from_floor = -50 * stage.dt() * stage.dem().wall_loads()[0].force;
+    hit = hit || norm(from_floor) > 0;
+    CHECK(norm(stage.dem().momentum() - momentum - from_floor) < 1e-12);
+  }
+  CHECK(hit);
+  CHECK(stage.dem().counts().rigid_particles == 8);
+  CHECK(std::abs(stage.dem().energy().residual() - at_rest.residual()) < 5e-3 * at_rest.kinetic);
 }
 
 TEST_CASE("A rock without a table, or whose bonds are loaded where it arrives, is never rigid", "[dem][levels]") {

@@ -3,6 +3,7 @@
 #include "core/kernels/stress_bound.hpp"
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <vector>
 
 using namespace gyro;
@@ -12,8 +13,7 @@ namespace {
 /// A rock of two particles and one bond. In the frame of its table, a force along x on the second particle is tension,
 /// one along y shear, and a moment about z bending.
 struct TwoParticles {
-  LoadTable table;
-  std::vector<std::int64_t> begin{0};
+  LoadTable table{2, 1};
   std::vector<Block> blocks{Block{}};
   std::vector<Body> bodies{Body{}};
   std::vector<float> strength{1};
@@ -22,33 +22,28 @@ struct TwoParticles {
   std::int32_t overloaded = 0;
 
   TwoParticles() {
-    table.particles = 2, table.bonds = 1;
-    table.force = {0.02f, 0.02f}, table.moment = {0.5f, 0.5f};
-    table.response.assign(2 * point_loads * bond_stresses, 0);
-    response(1, 0, 0) = 0.01f;  // tension by a force along x
-    response(1, 1, 1) = 0.02f;  // shear by a force along y
-    response(1, 5, 3) = 0.5f;   // bending by a moment about z
+    for (const Index particle : {0, 1}) *table.row(particle).force() = 0.02f, *table.row(particle).moment() = 0.5f;
+    *table.row(1).response(0, 0) = 0.01f;  // tension by a force along x
+    *table.row(1).response(1, 1) = 0.02f;  // shear by a force along y
+    *table.row(1).response(5, 3) = 0.5f;   // bending by a moment about z
     blocks[0].first_particle = 0, blocks[0].end_particle = 2;
     blocks[0].table = 0, blocks[0].table_bonds = 1, blocks[0].rigid = 1;
     bodies[0].orientation = bodies[0].frame = {1, 0, 0, 0};
     for (Motion& m : motion) m = {{0, 0, 0}, 2};
     load.assign(2, Load{});
   }
-  float& response(std::size_t particle, std::size_t which, std::size_t stress) {
-    return table.response[(particle * point_loads + which) * bond_stresses + stress];
-  }
   bool is_overloaded(double allowed, const Vec3d& gravity = {0, 0, 0}) {
     blocks[0].overloaded = overloaded = 0;
     ParticleView p{};
     p.load = load.data();
     p.motion = motion.data();
-    const StressBound<float> bound{
-        .tables = {table.force.data(), table.moment.data(), table.response.data(), begin.data()},
-        .blocks = blocks.data(),
-        .bodies = bodies.data(),
-        .strength = strength.data(),
-        .allowed = allowed,
-        .overloaded = &overloaded};
+    const float* const rows[] = {table.row(0).numbers, table.row(1).numbers};
+    const StressBound<float> bound{.rows = rows,
+                                   .blocks = blocks.data(),
+                                   .bodies = bodies.data(),
+                                   .strength = strength.data(),
+                                   .allowed = allowed,
+                                   .overloaded = &overloaded};
     bound.look(p, gravity, 0);
     CHECK(blocks[0].overloaded == overloaded);
     return overloaded == 1;
@@ -94,12 +89,12 @@ TEST_CASE("Loads are turned into the frame of the table", "[levels]") {
 TEST_CASE("Many bonds are looked at in groups, the last of which is not full", "[levels]") {
   TwoParticles rock;
   constexpr std::size_t bonds = 37;
-  rock.table.bonds = rock.blocks[0].table_bonds = bonds;
-  rock.table.force.assign(2 * bonds, 0.02f), rock.table.moment.assign(2 * bonds, 0);
-  rock.table.response.assign(2 * point_loads * bond_stresses * bonds, 0);
+  rock.table = LoadTable(2, bonds);
+  rock.blocks[0].table_bonds = bonds;
+  std::fill_n(rock.table.row(1).force(), bonds, 0.02f);
   rock.strength.assign(bonds, 1);
   const std::size_t loaded = GENERATE(0, 15, 16, 36);
-  rock.table.response[((1 * point_loads + 0) * bond_stresses + 0) * bonds + loaded] = 0.01f;
+  rock.table.row(1).response(0, 0)[loaded] = 0.01f;
   rock.load[1].force = {40, 0, 0};
   CHECK(rock.is_overloaded(0.39));
   CHECK_FALSE(rock.is_overloaded(0.41));

@@ -75,8 +75,9 @@ std::vector<double> stress_ratios(const RockTemplate& rock, const BondParameters
 double bound_of(const LoadTable& table, const std::vector<PointLoad>& loads, Index bond) {
   double sum = 0;
   for (const PointLoad& l : loads) {
-    const std::size_t k = table.place(l.particle, bond);
-    sum += norm(l.force) * static_cast<double>(table.force[k]) + norm(l.moment) * static_cast<double>(table.moment[k]);
+    const LoadRow<const float> row = table.row(l.particle);
+    sum += norm(l.force) * static_cast<double>(row.force()[bond]) +
+           norm(l.moment) * static_cast<double>(row.moment()[bond]);
   }
   return sum;
 }
@@ -97,9 +98,9 @@ TEST_CASE("The load table of a pair is that of beam theory with inertia relief")
   const double bending = 0.5 * 4 / (area * bond) / p.tensile_strength;
   const double sheared = (1 / (2.8 * radius) / area + 0.5 * 2 / (area * bond)) / p.shear_strength;
   for (const Index particle : {0, 1}) {
-    const auto k = table.place(particle, 0);
-    CHECK(static_cast<double>(table.force[k]) == Approx(std::max(tension, shear)).epsilon(1e-5));
-    CHECK(static_cast<double>(table.moment[k]) == Approx(std::max(bending, sheared)).epsilon(1e-5));
+    const LoadRow<const float> row = table.row(particle);
+    CHECK(static_cast<double>(*row.force()) == Approx(std::max(tension, shear)).epsilon(1e-5));
+    CHECK(static_cast<double>(*row.moment()) == Approx(std::max(bending, sheared)).epsilon(1e-5));
   }
 }
 
@@ -134,13 +135,9 @@ double ratio_of(const LoadTable& table, const std::vector<PointLoad>& loads, Ind
   double s[bond_stresses] = {};
   for (const PointLoad& l : loads) {
     const double load[] = {l.force.x, l.force.y, l.force.z, l.moment.x, l.moment.y, l.moment.z};
-    for (std::size_t c = 0; c < point_loads; ++c)
-      for (std::size_t r = 0; r < bond_stresses; ++r) {
-        const std::size_t row = (static_cast<std::size_t>(l.particle) * point_loads + c) * bond_stresses + r;
-        s[r] +=
-            load[c] * static_cast<double>(
-                          table.response[row * static_cast<std::size_t>(table.bonds) + static_cast<std::size_t>(bond)]);
-      }
+    for (int c = 0; c < point_loads; ++c)
+      for (int r = 0; r < bond_stresses; ++r)
+        s[r] += load[c] * static_cast<double>(table.row(l.particle).response(c, r)[bond]);
   }
   return std::max(s[0] + std::hypot(s[3], s[4]), std::hypot(s[1], s[2]) + std::abs(s[5]));
 }
