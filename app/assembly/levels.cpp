@@ -11,19 +11,6 @@
 namespace gyro {
 namespace {
 
-/// What a load table needs to know of a rock of the start, or of a piece.
-RockTemplate template_of(const NewRock& rock) {
-  RockTemplate made;
-  made.name = "rock " + std::to_string(rock.id);
-  for (const NewParticle& p : rock.particles) {
-    made.centres.push_back(p.position);
-    made.radii.push_back(p.radius);
-    made.particle_density = p.density;
-  }
-  for (const NewBond& b : rock.bonds) made.bonds.push_back({b.i, b.j, b.length, b.radius});
-  return made;
-}
-
 /// A rock of one piece, neither too small nor too large.
 bool has_table(const RockTemplate& rock) {
   return rock.centres.size() > 1 && static_cast<Index>(rock.centres.size()) <= max_rigid_particles &&
@@ -53,7 +40,7 @@ std::string set_levels(Setup& setup, const Case& input, int threads) {
   level.calm_time = input.numerics.rigid->calm_time;
   if (input.numerics.rigid->pieces)
     level.response_of = [bonds = *setup.scene.bonds](const NewRock& rock) {
-      return load_response(template_of(rock), bonds);
+      return load_response(shape_of(rock), bonds);
     };
   std::vector<RockTemplate> rocks;
   const auto take = [&](const RockTemplate& rock, Index& place) {
@@ -62,7 +49,7 @@ std::string set_levels(Setup& setup, const Case& input, int threads) {
     rocks.push_back(rock);
   };
   for (RockTemplate& rock : setup.library.rocks) take(rock, rock.load_table);
-  for (NewRock& rock : setup.start) take(template_of(rock), rock.load_table);
+  for (NewRock& rock : setup.start) take(shape_of(rock), rock.load_table);
   std::vector<LoadTable> tables(rocks.size());
   ThreadTeam team(std::max(1, std::min(static_cast<int>(rocks.size()), threads > 0 ? threads : all_cores())));
   for_each_job(team, static_cast<int>(rocks.size()), [&](int k) {

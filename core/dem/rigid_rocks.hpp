@@ -7,6 +7,7 @@
 #include "core/dem/rigid_arrivals.hpp"
 #include "core/dem/scene_laws.hpp"
 #include "core/kernels/change_level.hpp"
+#include "core/kernels/let_go.hpp"
 #include "core/scene/window.hpp"
 
 #include <algorithm>
@@ -129,6 +130,23 @@ class RigidRocks {
     forget_rows(Exec::host(rock.blocks()));
     exec.for_each("change level", rocks(rock),
                   FreeRocks{rock.view(), rock.block_view(), bodies_.data(), scene.gravity, scene.dt});
+  }
+
+  /// Broken bonds that press next to nothing become contacts (LetGo). @return the elastic energy that this takes [J]
+  double let_go(Exec& exec, ParticleStore<Exec, Real>& rock, const SceneLaws<Exec, Real>& laws) const {
+    const double force = 0.5 * level_->rigid_below;  // of a pressed bond over that at failure
+    const LetGo<Real> kernel{.p = rock.read(),
+                             .b = rock.read_bonds(),
+                             .state = rock.bond_view().state,
+                             .blocks = rock.block_view(),
+                             .law = laws.bond(),
+                             .model = laws.bond_model(),
+                             .contact = laws.rock(),
+                             .contact_model = laws.rock_model(),
+                             .share = force * force};
+    const double lost = exec.template reduce<double>("let go", rock.bond_count(), kernel);
+    exec.for_each("let go", rock.bond_count(), LetGoEach<Real>{kernel});
+    return lost;
   }
 
   /// Looks at the bonds of rocks, at the end of a window. @param time  of the window [s]

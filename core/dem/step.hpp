@@ -88,6 +88,7 @@ void DemSolver<Exec, Real>::change_levels(const Window& window) {
 /// Makes the pieces of broken rocks rocks of their own.
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::divide_rocks() {
+  monitor_.energies().switched += rigid_.let_go(exec_, rock_, laws_);
   const DividedRocks divided = rock_.divided();
   if (!divided.any()) return;
   lists_.rearrange(divided.places);

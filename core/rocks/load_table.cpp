@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace gyro {
 namespace {
@@ -191,6 +192,18 @@ LoadTable load_table(const RockTemplate& rock, const BondParameters& bonds) {
 
 std::unique_ptr<LoadResponse> load_response(const RockTemplate& rock, const BondParameters& bonds) {
   return std::make_unique<RockResponse>(rock, bonds);
+}
+
+RockTemplate shape_of(const NewRock& rock) {
+  RockTemplate made;
+  made.name = "rock " + std::to_string(rock.id);
+  for (const NewParticle& p : rock.particles) {
+    made.centres.push_back(p.position);
+    made.radii.push_back(p.radius);
+    made.particle_density = p.density;
+  }
+  for (const NewBond& b : rock.bonds) made.bonds.push_back({b.i, b.j, b.length, b.radius});
+  return made;
 }
 
 }  // namespace gyro

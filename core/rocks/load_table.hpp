@@ -4,6 +4,7 @@
 #include "core/rocks/rock_template.hpp"
 #include "core/scene/bond_parameters.hpp"
 #include "core/scene/load_table.hpp"
+#include "core/scene/new_rock.hpp"
 
 #include <memory>
 
@@ -32,5 +33,8 @@ LoadTable load_table(const RockTemplate& rock, const BondParameters& bonds);
 /// The same, row by row: one factorisation here, 6 solutions a row.
 /// @param rock  in one piece, of at least two particles
 std::unique_ptr<LoadResponse> load_response(const RockTemplate& rock, const BondParameters& bonds);
+
+/// What the functions above need to know of a rock that was not made from a template, in the frame of its particles.
+RockTemplate shape_of(const NewRock& rock);
 
 }  // namespace gyro
