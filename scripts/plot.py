@@ -9,6 +9,7 @@ Usage:
   plot.py machine RUNDIR [--from SECONDS]      torque over angle, radial force, maps of the liners
   plot.py drives RUNDIR... [--smooth SECONDS]  speed and power of several runs
   plot.py accuracy BENCH.json                  work against error
+  plot.py levels RESULTS.json...               cost against change of results by levels of detail
   plot.py library LIBRARY.json                 particles and bonds of rock libraries
 
 --out FILE.png (or .svg, .pdf) names the picture; `plot.py COMMAND --help` has all options. Needs python3-matplotlib,
@@ -27,6 +28,7 @@ COMMANDS = {
     "machine": "torque over angle, radial force and maps of the liners of a run",
     "drives": "speed and power of several runs over time",
     "accuracy": "work against error of a benchmark",
+    "levels": "cost against change of results by levels of detail",
     "library": "particles and bonds of rock libraries, beside the reference paper",
 }
 

@@ -276,6 +276,31 @@ class Other(Plot):
         library.write_text(json.dumps({"ranged": rocks, "equal": {ratio: rocks for ratio in (10, 6)}}))
         self.assert_draws("library", library)
 
+    def write_levels(self, name):
+        """Three settings and two seeds; the second costs a fifth and has 10 +- 2 % more power, the third no change."""
+        figures = {"mean_crushing_power": 100, "broken": 0.2, "breakage": 50, "p80": 0.1, "cost": 10}
+        results = {"": [figures, figures],
+                   "numerics.levels={rigid: pieces}": [{**figures, "mean_crushing_power": 108, "cost": 1.5},
+                                                       {**figures, "mean_crushing_power": 112, "cost": 2.5}],
+                   "numerics.hold=off": [figures, figures]}
+        file = self.folder / name
+        file.write_text(json.dumps(results))
+        return file
+
+    def test_levels(self):
+        one, two = self.write_levels("one.json"), self.write_levels("two.json")
+        axes = self.drawn("levels", one, two)
+        power = [container for container in axes[0].containers]
+        self.assertEqual([c.get_label() for c in power], ["reference", "levels={rigid: pieces}", "hold=off"])
+        (x,), (y,) = power[1].lines[0].get_data()
+        self.assertAlmostEqual(x, 10)
+        self.assertAlmostEqual(y, 0.2)
+        low, high = power[1].lines[2][0].get_segments()[0][:, 0]
+        self.assertAlmostEqual(low, 8)
+        self.assertAlmostEqual(high, 12)
+        (x,), (y,) = power[2].lines[0].get_data()
+        self.assertEqual((x, y), (0, 1))
+
     def test_bad_input_is_explained(self):
         run, bare = self.write_run("short", rows=10), self.write_run("bare", wear="")
         for arguments, advice in (
@@ -288,6 +313,7 @@ class Other(Plot):
             (("drives", run, "--smooth", "1"), "use a shorter time"),
             (("accuracy", run / "summary.json"), "bench accuracy --json"),
             (("library", MEASURED), "paper_library.py --json"),
+            (("levels", MEASURED), "levels.py --json"),
             (("series", run, "--out", "/nowhere/picture.png"), "name another file with --out"),
         ):
             with self.subTest(arguments=arguments):

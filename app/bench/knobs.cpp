@@ -56,11 +56,11 @@ KnobSetting window(double milliseconds) {
           .overrides = {"coupling.interval=" + text_of(milliseconds * 1e-3), "output=null"}};
 }
 
-/// Rocks as rigid bodies until the static stress of a bond passes this share of its strength.
+/// Rocks and pieces as rigid bodies until the static stress of a bond passes this share of its strength.
 KnobSetting rigid(double bonded_above) {
   return {.knob = "rigid",
           .value = text_of(bonded_above),
-          .overrides = {"numerics.levels={rigid: rocks, bonded_above: " + text_of(bonded_above) + "}"}};
+          .overrides = {"numerics.levels={rigid: pieces, bonded_above: " + text_of(bonded_above) + "}"}};
 }
 
 KnobSetting margin(double share) {

@@ -65,9 +65,11 @@ class Monitor {
     flags.rock_overloaded = 0;
     set(flags);
   }
-  void rows_made() {
+  /// @param overloaded  a rock must be bonded because no rows can be made for it
+  void rows_made(bool overloaded) {
     StepFlags flags = raised();
     flags.rows_lacking = 0;
+    if (overloaded) flags.rock_overloaded = 1;
     set(flags);
   }
   void pairs_renewed() {

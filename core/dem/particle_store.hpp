@@ -17,8 +17,9 @@
 
 namespace gyro {
 
-/// Owns the rock: the columns of particles and bonds, the blocks (rocks) and colours that order them, and the bonds by
-/// particle. Rows come at the end and go by shortening; their order never changes.
+/// Owns the rock: the columns of particles and bonds, the blocks (rocks, or pieces of them) and colours that order
+/// them, and the bonds by particle. Rows come at the end and go by shortening; they change their order only within a
+/// broken rock that is divided.
 template <class Exec, class Real>
 class ParticleStore {
  public:

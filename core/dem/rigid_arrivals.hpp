@@ -49,7 +49,7 @@ inline Body body_of(const NewRock& rock) {
   }
   body.centre = (1 / body.mass) * middle;
   body.orientation = {1, 0, 0, 0};
-  body.frame = rock.orientation;
+  body.frame = rock.load_table == none ? Quatd{1, 0, 0, 0} : rock.orientation;  // rows of its own are in its own frame
   body.velocity = rock.particles.front().velocity;
   Symmetric inertia{{0, 0, 0}, {0, 0, 0}};
   for (const NewParticle& p : rock.particles) {

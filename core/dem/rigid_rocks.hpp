@@ -2,15 +2,18 @@
 #pragma once
 
 #include "core/base/saved_state.hpp"
+#include "core/base/thread_team.hpp"
 #include "core/dem/load_rows.hpp"
 #include "core/dem/particle_store.hpp"
 #include "core/dem/rigid_arrivals.hpp"
 #include "core/dem/scene_laws.hpp"
+#include "core/exec/phase_timer.hpp"
 #include "core/kernels/change_level.hpp"
 #include "core/kernels/let_go.hpp"
 #include "core/scene/window.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <span>
 #include <utility>
@@ -66,7 +69,10 @@ class RigidRocks {
     Exec::keep(arms_, places.old_index);
     Exec::keep(row_, places.old_index);
     std::vector<OwnRows> own(old_block.size());
-    for (std::size_t k = 0; k < own.size(); ++k) own[k] = std::move(own_[static_cast<std::size_t>(old_block[k])]);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      own[k] = std::move(own_[static_cast<std::size_t>(old_block[k])]);
+      for (auto& [particle, numbers] : own[k].made) particle = places.new_index[static_cast<std::size_t>(particle)];
+    }
     own_ = std::move(own);
     resize(rock);
   }
@@ -83,17 +89,26 @@ class RigidRocks {
                                         .made = row_.data(),
                                         .lacking = lacking});
   }
-  void make_rows(Exec& exec, ParticleStore<Exec, Real>& rock, const Vec3d& gravity, std::int32_t* overloaded) {
-    exec.for_each("load rows", rocks(rock),
-                  MakeRows<Real>{.p = rock.view(),
-                                 .b = rock.read_bonds(),
-                                 .blocks = rock.block_view(),
-                                 .arms = arms_.data(),
-                                 .gravity = gravity,
-                                 .response_of = &level_->response_of,
-                                 .own = own_.data(),
-                                 .row = row_.data(),
-                                 .overloaded = overloaded});
+  /// @return whether some rock has become overloaded because no rows can be made for it
+  bool make_rows(Exec& exec, ParticleStore<Exec, Real>& rock, const Vec3d& gravity) {
+    const PhaseTimer::Mark mark = exec.timer().begin("load rows");
+    std::vector<Index> lacking;
+    for (Index k = 0; k < rocks(rock); ++k)
+      if (Exec::host(rock.blocks())[static_cast<std::size_t>(k)].lacks_rows) lacking.push_back(k);
+    const MakeRows<Real> make{.p = rock.view(),
+                              .b = rock.read_bonds(),
+                              .blocks = rock.block_view(),
+                              .arms = arms_.data(),
+                              .gravity = gravity,
+                              .level = *level_,
+                              .own = own_.data(),
+                              .row = row_.data()};
+    std::atomic<bool> failed = false;
+    for_each_job(*exec.host_team(), static_cast<int>(lacking.size()), [&](int n) {
+      if (!make(lacking[static_cast<std::size_t>(n)])) failed = true;
+    });
+    exec.timer().end(mark);
+    return failed;
   }
 
   /// A step, or the first half of one where a window begins (AdvanceRigid).
@@ -143,7 +158,8 @@ class RigidRocks {
                              .model = laws.bond_model(),
                              .contact = laws.rock(),
                              .contact_model = laws.rock_model(),
-                             .share = force * force};
+                             .share = force * force,
+                             .with_history = keeps_extra_history(laws.rock_model())};
     const double lost = exec.template reduce<double>("let go", rock.bond_count(), kernel);
     exec.for_each("let go", rock.bond_count(), LetGoEach<Real>{kernel});
     return lost;
@@ -208,7 +224,7 @@ class RigidRocks {
         const float*& of_particle = row[static_cast<std::size_t>(n)];
         if (b.table != none)
           of_particle = (*level_->tables)[static_cast<std::size_t>(b.table)].row(n - b.first_particle).numbers;
-        else if (own_[k].made.empty())
+        else if (own_[k].empty())
           of_particle = nullptr;
       }
     }

@@ -14,7 +14,7 @@
 
 namespace gyro {
 
-/// Rows of the particles in order of id: the columns are in order of arrival.
+/// Rows of the particles in order of id: the columns are in another one.
 inline std::vector<Index> rows_by_id(const std::vector<ParticleId>& id) {
   std::vector<Index> rows(id.size());
   std::iota(rows.begin(), rows.end(), 0);

@@ -119,5 +119,6 @@ class DemSolver final : public Dem {
 }  // namespace gyro
 
 #include "core/dem/exchange.hpp"
+#include "core/dem/levels.hpp"
 #include "core/dem/run_ahead.hpp"
 #include "core/dem/step.hpp"

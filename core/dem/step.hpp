@@ -61,41 +61,6 @@ void DemSolver<Exec, Real>::take_steps(const Window& window) {
   }
 }
 
-/// Brings all particles to the end of a step inside a window, as at the window's end, and makes overloaded rocks
-/// particles with bonds. What walls have booked stays right: of the last contact forces each particle takes in all what
-/// it would have taken, a part of it before and the rest after.
-/// @param done  steps of the window
-template <class Exec, class Real>
-void DemSolver<Exec, Real>::meet(const Window& window, int done) {
-  if (held()) advance_rocks({Motions::move_on, step_number(window, done) - 1, 1, false});
-  finish_step(true);
-  rigid_.free_overloaded(exec_, rock_, scene_);
-  monitor_.rocks_freed();
-}
-
-/// Where two windows meet: overloaded rocks become particles with bonds, broken ones several, calm ones rigid bodies.
-template <class Exec, class Real>
-void DemSolver<Exec, Real>::change_levels(const Window& window) {
-  rigid_.free_overloaded(exec_, rock_, scene_);
-  monitor_.rocks_freed();
-  if (rigid_.divides_before(window)) divide_rocks();
-  if (!rigid_.any_calm(exec_, rock_)) return;
-  const double before = sums().energy_in_places();
-  rigid_.stiffen_calm(exec_, rock_, scene_);
-  monitor_.energies().switched += before - sums().energy_in_places();
-}
-
-/// Makes the pieces of broken rocks rocks of their own.
-template <class Exec, class Real>
-void DemSolver<Exec, Real>::divide_rocks() {
-  monitor_.energies().switched += rigid_.let_go(exec_, rock_, laws_);
-  const DividedRocks divided = rock_.divided();
-  if (!divided.any()) return;
-  lists_.rearrange(divided.places);
-  rigid_.rearrange(divided.places, rock_.divide(divided), rock_);
-  monitor_.reserve_events(rock_.bond_count());
-}
-
 template <class Exec, class Real>
 void DemSolver<Exec, Real>::ask_whether_given_up(const Window& window, int done) const {
   if (give_up_ && give_up_(static_cast<double>(done) / window.steps))
@@ -117,20 +82,6 @@ void DemSolver<Exec, Real>::begin_step(const Window& window, int done, bool toge
   advance_rocks(together ? Advance{Motions::move, before} : Advance{Motions::move_on, before - 1, 1});
   if constexpr (has_levels)
     if (rigid_.in_use()) advance_rigid_rocks(!together, rigid_.looks_in(before));
-}
-
-/// @param new_forces  of contacts, since the last step
-/// @param look        whether at the loads that they bear
-template <class Exec, class Real>
-void DemSolver<Exec, Real>::advance_rigid_rocks(bool new_forces, bool look) {
-  if (look) {
-    rigid_.add_loads(exec_, rock_, gather(), new_forces, &monitor_.flags()->rows_lacking);
-    if (monitor_.raised().rows_lacking) {
-      rigid_.make_rows(exec_, rock_, scene_.gravity, &monitor_.flags()->rock_overloaded);
-      monitor_.rows_made();
-    }
-  }
-  rigid_.advance(exec_, rock_, gather(), move(), new_forces, look, &monitor_.flags()->rock_overloaded);
 }
 
 template <class Exec, class Real>

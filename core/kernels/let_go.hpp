@@ -4,8 +4,8 @@
 #include "core/kernels/bond_forces.hpp"
 #include "core/kernels/bond_lane.hpp"
 #include "core/laws/bond/models.hpp"
+#include "core/laws/bond/section.hpp"
 #include "core/laws/contact/models.hpp"
-#include "core/laws/contact/scene_contacts.hpp"
 
 namespace gyro {
 
@@ -13,13 +13,17 @@ namespace gyro {
 /// held together in one block can be divided.
 ///
 /// A pressed bond pushes from the length that it had, with its own stiffness; a contact pushes from where the spheres
-/// touch, and is softer. So a bond is let go only if the elastic energies of both are small beside that which breaks it
+/// touch, with its own. So a bond is let go only if the elastic energies of both are small beside that which breaks it
 /// in tension,
 ///
 ///   max(E_pressed, E_contact) <= share (f sigma_t A)^2 / (2 k_n A)
 ///
-/// which makes the force at most sqrt(share) of that at failure. Both are taken without the friction of the contact,
-/// which begins without history. A map over bonds; let_go() changes the bond, difference() is E_pressed - E_contact.
+/// The force is then at most sqrt(share) of that at failure where the contact is softer than the bond, as in rock.
+/// Under laws with history (hysteretic force, rolling springs) a contact cannot begin with an overlap, and the bond is
+/// let go only where the spheres do not touch.
+///
+/// A map over bonds: what letting go loses [J], E_pressed - E_contact less what the force of the bond, which is still
+/// in the loads, does in the next half kick.
 template <class Real>
 struct LetGo {
   ConstParticleView p;
@@ -32,15 +36,17 @@ struct LetGo {
   ContactModel contact_model;
   double share;  ///< [-]
 
+  bool with_history;  ///< the contact law keeps ExtraHistory
+
   struct Energies {
     double pressed, contact, breaking;  ///< [J]
+    double next_work;                   ///< of the bond's force in the next half kick [J]
   };
 
-  /// Of one bond; the map of a sum.
   GYRO_HD double operator()(Index n) const {
     if (!may_go(n)) return 0;
     const Energies e = energies(n);
-    return is_small(e) ? e.pressed - e.contact : 0;
+    return is_small(e) ? e.pressed - e.contact - e.next_work : 0;
   }
   GYRO_HD void let_go(Index n) const {
     if (may_go(n) && is_small(energies(n))) state[n] = bond_broken;
@@ -57,19 +63,27 @@ struct LetGo {
   GYRO_HD Energies energies(Index n) const {
     BondLanes<Real, OneLane> bond(OneLane{n}, p, b);
     bond.carry_axes(OneLane{n}, p, b, b.state[n], 0);
-    const double pressed = static_cast<double>(bond_load(model, law, bond, true).elastic);
+    const BondLoad<Real> load = bond_load(model, law, bond, true);
+    const double pressed = static_cast<double>(load.elastic);
+    const double next_work = 0.5 * p.step[b.i[n]] * static_cast<double>(bond_power(load, bond.rates));
     const Sphere i = p.position[b.i[n]], j = p.position[b.j[n]];
     const double overlap = larger(i.radius + j.radius - norm(j.x - i.x), 0.0);
+    if (with_history && overlap > 0) return {0, 1, 0, 0};
     const ContactHistory<Real> fresh{};
-    const ExtraHistory<Real> extra{};
+    if (overlap == 0) return {pressed, 0, breaking_energy(n), next_work};
+    const ExtraHistory<Real>* const extra = nullptr;  // the law keeps none
     const double touching = static_cast<double>(
         contact_energy(contact_model, contact, static_cast<Real>(i.radius * j.radius / (i.radius + j.radius)),
-                       static_cast<Real>(overlap), fresh, &extra));
+                       static_cast<Real>(overlap), fresh, extra));
+    return {pressed, touching, breaking_energy(n), next_work};
+  }
+  /// In tension [J].
+  GYRO_HD double breaking_energy(Index n) const {
     const double area = 3.14159265358979323846 * static_cast<double>(b.radius[n]) * static_cast<double>(b.radius[n]);
     const double stiffness = static_cast<double>(
         stiffness_per_area(law.bond.normal_stiffness, law.bond.normal_modulus, static_cast<Real>(b.length[n])));
     const double stress = static_cast<double>(b.strength[n]) * static_cast<double>(law.bond.tensile_strength);
-    return {pressed, touching, 0.5 * stress * stress * area / stiffness};
+    return 0.5 * stress * stress * area / stiffness;
   }
 };
 

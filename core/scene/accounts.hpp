@@ -63,7 +63,8 @@ struct EnergyTerms {
   double contact_damping = 0, friction = 0, bond_damping = 0, bond_breakage = 0;
   double wall_work = 0;
   double exchanged = 0;  ///< energy of what was put in less that of what was taken out
-  double switched = 0;   ///< lost where rocks became rigid bodies: their elastic energy and inner motion
+  double switched =
+      0;  ///< lost where rocks became rigid bodies, elastic energy and inner motion, and where bonds were let go
 
   /// Energy balance residual: zero up to rounding and the error of the time integration [J].
   double residual() const {

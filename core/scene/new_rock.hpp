@@ -36,7 +36,8 @@ struct NewRock {
   std::vector<Index> colour_begin;
   int substeps =
       0;  ///< steps of its bonds in a step of the scene, during which other forces are held; 0: Scene::substeps
-  Index load_table = none;        ///< in RigidLevel::tables; none: the rock never moves as a rigid body
+  Index load_table = none;        ///< in RigidLevel::tables; none: rows are made as needed by RigidLevel::response_of
+                                  ///< if that is given, otherwise the rock never moves as a rigid body
   Quatd orientation{1, 0, 0, 0};  ///< from the frame of the load table to the world
 };
 

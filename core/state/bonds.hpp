@@ -63,23 +63,24 @@ enum BlockState : std::int32_t {
 };
 static_assert(block_broken == 1);
 
-/// The particles and bonds of one rock, contiguous in their arrays. Bonds never cross blocks, so a
-/// thread (CPU) or a thread block (GPU) owns a rock.
+/// The particles and bonds of one rock, or of a piece of a broken one, contiguous in their arrays; or the particles of
+/// a broken rock that have no bonds left. Bonds never cross blocks, so a thread (CPU) or a thread block (GPU) owns a
+/// rock.
 struct Block {
   Index first_particle, end_particle;
   Index first_bond, end_bond;      ///< end is padded to bond_alignment; none once the rock is spent (spent_rocks.hpp)
   Index first_colour, end_colour;  ///< range in the array of colour begins
   RockId rock;
-  std::int32_t state;     ///< BlockState
-  std::int32_t substeps;  ///< steps of its bonds in a step of the scene; 1 without bonds
-  Index table = none;     ///< load table of the rock; none: its rows are made as they are needed
-  Index table_bonds = 0;  ///< bonds in the table: those of the block, in their order
-  std::int32_t free_of_load =
-      0;                   ///< 1: its particles came into the scene as they lie without loads, and levels are in use
-  std::int32_t rigid = 0;  ///< 1: it moves as a rigid body, and its bonds are not evaluated
-  std::int32_t overloaded = 0;  ///< 1: a rigid rock whose bonds must be evaluated again
-  std::int32_t lacks_rows = 0;  ///< 1: particles that are loaded have no rows of a load table
-  double calm = 0;              ///< time for which its bonds have been loaded little [s]
+  std::int32_t state;             ///< BlockState
+  std::int32_t substeps;          ///< steps of its bonds in a step of the scene; 1 without bonds
+  Index table = none;             ///< load table of the rock; none: its rows are made as needed, if it may be rigid
+  Index table_bonds = 0;          ///< bonds in the table: those of the block, in their order
+  std::int32_t free_of_load = 0;  ///< 1: it may be rigid, or divided into pieces that may. Its particles came into the
+                                  ///< scene in one piece, as they lie without loads, and its rows can be made
+  std::int32_t rigid = 0;         ///< 1: it moves as a rigid body, and its bonds are not evaluated
+  std::int32_t overloaded = 0;    ///< 1: a rigid rock whose bonds must be evaluated again
+  std::int32_t lacks_rows = 0;    ///< 1: particles that are loaded have no rows of a load table
+  double calm = 0;                ///< time for which its bonds have been loaded little [s]
 
   template <class F, class... B>
   static constexpr void for_each_field(F&& f, B&... b) {

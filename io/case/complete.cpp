@@ -61,6 +61,14 @@ void resolve_paths(Setting& setting, const fs::path& folder, CaseProblems& probl
   }
 }
 
+/// The floor of the fill for numerics.fidelity: survey, unless the case has its own.
+void add_floor(Setting& root, Setting& fill) {
+  const Setting *fidelity = root.find("numerics.fidelity"), *setting = root.find("crusher.closed_side_setting");
+  if (fidelity == nullptr || fidelity->texts.empty() || fidelity->texts[0] != "survey") return;
+  if (setting == nullptr || setting->numbers.empty() || fill.lacks("ratio") || !fill.lacks("floor")) return;
+  add_number(fill, "rocks.fill.floor", setting->numbers[0] / 6);
+}
+
 /// Adds the liners of a profile as walls if the case does not name them.
 void add_liners(Setting& root, const Setting& profile) {
   Setting* walls = find_child(root, "walls");
@@ -102,6 +110,7 @@ void complete_settings(Setting& root, const fs::path& case_file, CaseProblems& p
   Setting* fill = rocks == nullptr ? nullptr : find_child(*rocks, "fill");
   if (fill != nullptr && find_child(*fill, "sizes") != nullptr && fill->lacks("exponent"))
     add_number(*fill, "rocks.fill.exponent", RangeFill{}.exponent);
+  if (fill != nullptr) add_floor(root, *fill);
 
   Setting* feed = find_child(root, "feed");
   if (feed != nullptr && find_child(*feed, "above") == nullptr && find_child(*feed, "rocks") == nullptr &&

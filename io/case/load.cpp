@@ -94,6 +94,24 @@ void apply_overrides(YamlNode& root, const std::vector<std::string>& overrides, 
   }
 }
 
+namespace {
+
+/// Gives the levels of detail that numerics.fidelity stands for, unless the case has its own or no bonds.
+void choose_levels(YamlNode& root) {
+  const auto given = [](const YamlNode& map, std::string_view key) -> const YamlNode* {
+    const YamlEntry* entry = map.find(key);
+    return entry == nullptr || entry->value.kind == YamlNode::Kind::null ? nullptr : &entry->value;
+  };
+  const YamlNode* numerics = given(root, "numerics");
+  const YamlNode* fidelity = numerics == nullptr ? nullptr : given(*numerics, "fidelity");
+  if (fidelity == nullptr || given(*numerics, "levels") != nullptr || given(root, "bonds") == nullptr) return;
+  const Mark mark = fidelity->mark;
+  if (fidelity->text == "engineering" || fidelity->text == "survey")
+    put(root, {"numerics", "levels"}, mark, parse_yaml("{rigid: pieces}", mark).root);
+}
+
+}  // namespace
+
 CaseReport load_case(const fs::path& file, const std::vector<std::string>& overrides) {
   CaseProblems problems(file.string());
   CaseReport report;
@@ -103,7 +121,7 @@ CaseReport load_case(const fs::path& file, const std::vector<std::string>& overr
     for (const MarkedProblem& problem : document.problems) problems.add(problem.mark, problem.message);
     // In a document that is incomplete or not a map, further checks would report problems that do not exist.
     const bool whole = document.root.kind == YamlNode::Kind::map;
-    if (whole) apply_overrides(document.root, overrides, problems);
+    if (whole) apply_overrides(document.root, overrides, problems), choose_levels(document.root);
     std::vector<MarkedProblem> marked;
     Setting root;
     if (whole || problems.empty()) root = read_settings(document.root, marked);

@@ -258,6 +258,10 @@ const std::vector<Key> run_keys = {
      .doc = "Above 1, in place of numerics.hold: number of bond steps, the same for all rocks, during which contact and wall forces are "
             "kept constant; this number times the time step must be less than half the undamped stability limit of contacts."},
 
+    {.path = "numerics.fidelity", .type = word, .fallback = "reference", .words = "reference|engineering|survey",
+     .doc = "What a case that does not give them itself takes for the keys that trade accuracy for speed. reference: no level of detail; "
+            "engineering: numerics.levels {rigid: pieces}; survey: also rocks.fill.floor, a sixth of crusher.closed_side_setting, with "
+            "rocks.fill.ratio. cases/bench/levels/README.md has the errors of each."},
     {.path = "numerics.levels", .defaulted = true,
      .doc = "Levels of detail: what is computed only while a rock needs it. Each changes results a little."},
     {.path = "numerics.levels.rigid", .type = word, .fallback = "off", .words = "off|rocks|pieces",
@@ -268,9 +272,9 @@ const std::vector<Key> run_keys = {
      .doc = "Static stress / strength of a bond, from the contact forces on a rigid rock, beyond which the rock's bonds are evaluated."},
     {.path = "numerics.levels.rigid_below", .type = quantity, .fallback = "0.2", .range = {.low = 0, .high = 1, .low_open = true}, .when = "rigid=rocks|pieces",
      .doc = "Stress / strength below which all bonds of a rock or piece must stay for calm_time before it becomes rigid, as "
-            "seen at the ends of coupling intervals."},
+            "seen at the ends of coupling intervals. With pieces, broken bonds that still press become contacts below half of it."},
     {.path = "numerics.levels.calm_time", .type = quantity, .dimension = Dimension::time, .fallback = "5 ms", .range = positive, .when = "rigid=rocks|pieces",
-     .doc = "Time for which a rock or piece must be loaded little before it becomes rigid."},
+     .doc = "Time for which a rock or piece must be loaded little before it becomes rigid. With pieces, broken rocks are divided every half of it."},
 
     {.path = "particles", .doc = "Start state from files, instead of a feed or in addition to it."},
     {.path = "particles.file", .type = file, .required = true,

@@ -38,14 +38,9 @@ TEST_CASE("H12 bonds that break with packed-in overlap release no more than they
   // Overlap of 1, 5 and 10 % of the radius, with and without load. Full contact forces would give 0.5 to 9.7 m/s.
   const Precision precision = GENERATE(Precision::double_, Precision::mixed);
   const double overlap = GENERATE(0.01, 0.05, 0.10), shift = GENERATE(0.0, 2e-6);
-  const bool levels = GENERATE(false, true);  // what stays together may become rigid
   const double dt = 5e-7;
   Scene scene = bond_scene(dt);
   scene.bonds->damping = 0;
-  if (levels) {
-    scene.rigid = rigid_pieces(*scene.bonds);
-    scene.rigid->calm_time = 2e-4;
-  }
   const auto dem = make_cpu_dem(scene, precision, 1);
   const std::vector<NewRock> rocks{loaded_lattice(4, 1 - overlap / 2, shift, 1e-8)};
   dem->insert(rocks);

@@ -57,8 +57,8 @@ const Table<LedgerReading, WindowReading>& ledger_table() {
           {.name = "switched",
            .units = "J",
            .value = [](const Row& r) { return r.energy.switched; },
-           .description = "elastic energy and inner motion lost since the start where rocks became rigid bodies "
-                          "(`numerics.levels`)",
+           .description = "elastic energy and inner motion lost since the start where rocks became rigid bodies, "
+                          "and where broken bonds that press next to nothing became contacts (`numerics.levels`)",
            .presence = with_levels},
           {.name = "energy_residual",
            .units = "J",

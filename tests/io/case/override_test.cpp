@@ -85,6 +85,32 @@ TEST_CASE("A floor of particle sizes and rigid rocks") {
   CHECK(rigid.calm_time == 0.005);
   CHECK_THAT(problems({"bonds=null", "numerics.levels={rigid: rocks}"}),
              Catch::Matchers::Contains("needs the section bonds"));
+  CHECK_FALSE(rigid.pieces);
+  CHECK(load({"numerics.levels={rigid: pieces}"}).numerics.rigid->pieces);
+}
+
+TEST_CASE("A fidelity stands for levels of detail that a case does not give itself") {
+  const auto floor_of = [](const gyro::Case& c) { return std::get<gyro::MonoFill>(c.rocks->fill).floor; };
+  const gyro::Case reference = load({"numerics.fidelity=reference", "rocks.fill={ratio: 6}"}),
+                   engineering = load({"numerics.fidelity=engineering", "rocks.fill={ratio: 6}"}),
+                   survey = load({"numerics.fidelity=survey", "rocks.fill={ratio: 6}"});
+  CHECK_FALSE(reference.numerics.rigid);
+  CHECK(floor_of(reference) == 0);
+  REQUIRE(engineering.numerics.rigid);
+  CHECK(engineering.numerics.rigid->pieces);
+  CHECK(engineering.numerics.rigid->bonded_above == 0.5);
+  CHECK(floor_of(engineering) == 0);
+  REQUIRE(survey.numerics.rigid);
+  CHECK(floor_of(survey) == Approx(survey.crusher->closed_side_setting / 6));
+  const gyro::Case own = load({"numerics.fidelity=survey", "rocks.fill={ratio: 6, floor: 9 mm}",
+                               "numerics.levels={rigid: rocks, bonded_above: 0.3}"});
+  CHECK(floor_of(own) == 0.009);
+  CHECK_FALSE(own.numerics.rigid->pieces);
+  CHECK(own.numerics.rigid->bonded_above == 0.3);
+  CHECK(load({"numerics.fidelity=engineering", "numerics.levels=null"}).numerics.rigid);
+  CHECK_FALSE(load({"numerics.fidelity=engineering", "numerics.levels={rigid: off}"}).numerics.rigid);
+  CHECK(problems({"numerics.fidelity=engineering", "bonds=null"}).find("levels") == std::string::npos);
+  CHECK(problems({"numerics.fidelity=fast"}).find("reference, engineering or survey") != std::string::npos);
 }
 
 TEST_CASE("Keys that exclude each other and values out of range are refused") {
@@ -99,7 +125,7 @@ TEST_CASE("Keys that exclude each other and values out of range are refused") {
   refused("rocks.fill={sizes: [8 mm, 45 mm], floor: 9 mm}",
           "rocks.fill.floor cannot be combined with rocks.fill.sizes");
   refused("rocks.fill={ratio: 6, floor: 0 mm}", "out of range");
-  refused("numerics.levels={rigid: pieces}", "off or rocks");
+  refused("numerics.levels={rigid: all}", "off, rocks or pieces");
   refused("numerics.levels={rigid: off, calm_time: 2 ms}", "calm_time");
   refused("numerics.levels={rigid: rocks, bonded_above: 0.2}", "rigid_below is not below bonded_above");
   refused("rocks.fill={sizes: [45 mm, 8 mm]}", "does not rise");
