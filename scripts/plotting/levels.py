@@ -51,18 +51,20 @@ def draw_row(axes, file):
             cost = statistics.mean(run["cost"] for run in results[setting]) / full
             axis.errorbar([off], [cost], xerr=[error], fmt="o", color=COLOURS[k % len(COLOURS)],
                           label=setting.replace("numerics.", "") or "reference")
-        axis.set(yscale="log", title=title, xlabel="change [%]")
-        axis.grid(True, which="both")
+        axis.set(ylim=(0, 1.1), title=title, xlabel="change [%]")
     axes[0].set_ylabel(f"{file.stem}: cost / reference")
 
 
 def draw(arguments):
     rows = len(arguments.results)
-    figure, axes = plt.subplots(rows + 1, len(FIGURES), figsize=(11, 2.6 * rows + 0.8), sharey="row",
+    figure, axes = plt.subplots(rows + 1, len(FIGURES), figsize=(11, 2.6 * rows + 0.8), sharex="all", sharey="row",
                                 gridspec_kw={"height_ratios": [1] * rows + [0.25]})
     for row, file in zip(axes, arguments.results):
         draw_row(row, file)
+    for axis in axes[:-1].flat:
+        axis.tick_params(labelbottom=True)
     for axis in axes[-1]:  # room for the legend
         axis.axis("off")
-    axes[-1][0].legend(*axes[0][0].get_legend_handles_labels(), loc="upper left", ncol=2)
+    legend = axes[-1][0].legend(*axes[0][0].get_legend_handles_labels(), loc="upper left", ncol=2)
+    legend.set_in_layout(False)  # wider than its panel
     save(figure, arguments.out)
