@@ -46,6 +46,7 @@ class NeighbourLists {
     set_wall_ways(wall_steps);
     wide_.resize(static_cast<std::size_t>(particles));
     exec.for_each("wide bounds", particles, SetWideBounds{rock.read(), dt, wide_ways(dt), wide_.data()});
+    exec.for_each("list bonded pairs", static_cast<Index>(rock.blocks().size()), ListBonded{rock.block_view()});
     candidates_.find(exec, rock, wide_.data());
     walls_.find(exec, rock, walls, wide_.data(), device_wall_ways_.data());
     choose_pairs(exec, rock, dt);

@@ -12,7 +12,7 @@ namespace gyro {
 struct BreakLog {
   BreakEvent* events;
   std::int32_t* count;
-  std::int32_t* block_cracked;   ///< set to 1 when the first bond of a block fails: its particles may now touch
+  std::int32_t* block_cracked;   ///< set to 1 when the first bond of a block fails whose bonded pairs are not listed
   double rotation_limit;         ///< of the ends of an intact bond against each other [rad]
   std::int32_t* limit_exceeded;  ///< set to 1 by any bond beyond it
   const std::int32_t* steps;     ///< are added to BondStep::step, where a device counts them; null: none
@@ -208,7 +208,7 @@ struct BondForces {
       log.events[take_number(log.count)] = {step, when.substep, n, tension >= shear ? 1 : 2, released};
       if (!is_raised(&blocks[when.block].state)) {  // several threads may work on one block
         raise_flag(&blocks[when.block].state);
-        raise_flag(log.block_cracked);
+        if (!blocks[when.block].listed) raise_flag(log.block_cracked);
       }
       if (!apart) slip(lanes, bond, after.keep, lane);
     }

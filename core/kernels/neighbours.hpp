@@ -66,7 +66,7 @@ struct FindCandidates {
   }
   GYRO_HD void consider(Index n, Index other, bool same_level, Index& found) const {
     if (other == n || (same_level && p.id[other] < p.id[n])) return;
-    if (bonds.in_one_rock(p.block[n], p.block[other]) && bonds.blocks[p.block[n]].state == block_intact &&
+    if (bonds.in_one_rock(p.block[n], p.block[other]) && !bonds.blocks[p.block[n]].listed &&
         bonds.between(n, other) != none)
       return;  // they cannot come apart yet
     if (fills_long)
@@ -74,6 +74,17 @@ struct FindCandidates {
     else if (found < table.room)
       table.row(n)[found] = other;
     ++found;
+  }
+};
+
+/// Which bonded pairs are listed: those of rocks that have cracked, and where rocks may be rigid of those that are not.
+/// The others would fill the lists, and cannot come apart before a bond fails, which the first time has lists made
+/// anew.
+struct ListBonded {
+  Block* blocks;
+  GYRO_HD void operator()(Index k) const {
+    const Block& b = blocks[k];
+    blocks[k].listed = b.state == block_broken || (b.free_of_load && !b.rigid) ? 1 : 0;
   }
 };
 

@@ -58,7 +58,7 @@ inline constexpr Index bond_alignment = 8;
 
 /// What is known of a block as a whole.
 enum BlockState : std::int32_t {
-  block_intact = 0,  ///< no bond has failed: bonded pairs are not listed as contacts to come
+  block_intact = 0,  ///< no bond has failed
   block_broken = 1   ///< raise_flag() sets it
 };
 static_assert(block_broken == 1);
@@ -79,6 +79,7 @@ struct Block {
                                   ///< scene in one piece, as they lie without loads, and its rows can be made
   std::int32_t rigid = 0;         ///< 1: it moves as a rigid body, and its bonds are not evaluated
   std::int32_t overloaded = 0;    ///< 1: a rigid rock whose bonds must be evaluated again
+  std::int32_t listed = 0;        ///< 1: its bonded pairs are in the neighbour lists, as contacts to come
   std::int32_t lacks_rows = 0;    ///< 1: particles that are loaded have no rows of a load table
   double calm = 0;                ///< time for which its bonds have been loaded little [s]
 
@@ -98,6 +99,7 @@ struct Block {
     f("free_of_load", b.free_of_load...);
     f("rigid", b.rigid...);
     f("overloaded", b.overloaded...);
+    f("listed", b.listed...);
     f("lacks_rows", b.lacks_rows...);
     f("calm", b.calm...);
   }

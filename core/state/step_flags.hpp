@@ -8,7 +8,7 @@ namespace gyro {
 /// What kernels report without a reduction: flags, and the number of failed bonds.
 struct StepFlags {
   std::int32_t moved_too_far;    ///< a particle left the bound for which the list of pairs holds
-  std::int32_t block_cracked;    ///< the first bond of a rock failed: its particles must be listed as neighbours
+  std::int32_t block_cracked;    ///< the first bond of a rock failed whose bonded pairs are not listed
   std::int32_t failures;         ///< bonds that have failed in this window
   std::int32_t limit_exceeded;   ///< a step passed one of Scene::limits
   std::int32_t rock_overloaded;  ///< the bonds of a rigid rock must be evaluated again
