@@ -78,8 +78,7 @@ struct FindCandidates {
 };
 
 /// Which bonded pairs are listed: those of rocks that have cracked, and where rocks may be rigid of those that are not.
-/// The others would fill the lists, and cannot come apart before a bond fails, which the first time has lists made
-/// anew.
+/// The others would fill the lists, and cannot come apart before a first bond fails, after which lists are made again.
 struct ListBonded {
   Block* blocks;
   GYRO_HD void operator()(Index k) const {
