@@ -14,11 +14,10 @@ namespace gyro {
 
 /// A scene's rows after broken rocks have been divided.
 struct DividedRocks {
-  NewPlaces places;           ///< of all particles; empty if no rock was divided
-  NewBonds bonds;             ///< in the order of their blocks
-  std::vector<char> changed;  ///< of each block: it is a part of what it was, or has lost its broken bonds
+  NewPlaces places;  ///< of all particles; empty if no rock was divided
+  NewBonds bonds;    ///< in the order of their blocks
 
-  bool any() const { return !changed.empty(); }
+  bool any() const { return !bonds.blocks.empty(); }
 };
 
 /// Divides broken rocks. What bonds, intact or pressed, hold together becomes a block, without the broken bonds; the
@@ -104,7 +103,6 @@ class Division {
     }
     to_.bonds.end_block();
     to_.bonds.blocks.back().table_bonds = block.table_bonds;
-    to_.changed.push_back(0);
   }
 
   void divide(const Divided& rock) {
@@ -144,7 +142,6 @@ class Division {
     block.table = none;
     block.calm = 0;
     to_.bonds.begin_block(block, k);
-    to_.changed.push_back(1);
   }
 
   /// Adds the bonds of a piece in the colours that they had, less those that are empty.

@@ -25,8 +25,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.append(str(ROOT / "cases" / "bench"))
 import seeds
 
-SETTINGS = ("", "numerics.levels={rigid: rocks, bonded_above: 0.3}", "numerics.levels={rigid: rocks}",
-            "numerics.levels={rigid: rocks, bonded_above: 0.7}")
+SETTINGS = ("", "numerics.levels={rigid: rocks}", "numerics.levels={rigid: pieces, bonded_above: 0.3}",
+            "numerics.fidelity=engineering")
 FIGURES = (("mean_crushing_power", "crushing power [kW]", 1e-3), ("broken", "broken bonds [%]", 100),
            ("discharged_mass", "product [kg]", 1), ("p80", "P80 [mm]", 1e3), ("breakage", "breakage [J]", 1))
 

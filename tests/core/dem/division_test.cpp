@@ -104,7 +104,6 @@ TEST_CASE("A broken rock is divided into its pieces and its single particles", "
   CHECK(members(d, 2) == Particles{10, 11, 12});
   CHECK(members(d, 3) == Particles{6, 13, 14});
   CHECK(members(d, 4) == Particles{15, 16, 17});
-  CHECK(d.changed == std::vector<char>{0, 1, 1, 1, 0, 0});
   CHECK(d.bonds.blocks[0].table == 0);
   CHECK(d.bonds.blocks[1].table == none);
   CHECK(d.bonds.blocks[3].first_bond == d.bonds.blocks[3].end_bond);
