@@ -69,8 +69,9 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
       maps_(input, assembly),
       require_own_(std::move(require_own)),
       results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_marks(*saved))
-                     : ResultsFile(directory / "results.h5", content(record))),
-      snapshots_(directory, state_.snapshot_times) {
+                     : ResultsFile(directory / "results.h5", content(record))) {
+  if (input.output.vtp) snapshots_.emplace(directory, state_.snapshot_times);
+  if (input.output.hdf5) fields_.emplace(directory, state_.snapshot_times);
   if (input.output.fines) with_fines_.emplace();
   if (!saved) return;
   rows_.restore(*saved);
@@ -143,11 +144,22 @@ void RunOutput::write_snapshot(const Simulation& simulation) {
   add_walls(*frame, simulation);
   writer_.add([this, frame] {
     require_own_();
-    snapshots_.write_fixed(frame->fixed);
-    snapshots_.write({frame->time, &frame->particles, frame->bonds ? &*frame->bonds : nullptr, frame->walls});
+    write_files(*frame);
   });
   state_.snapshot_times.push_back(frame->time);
   ++state_.frames;
+}
+
+void RunOutput::write_files(const Frame& frame) {
+  const SnapshotFrame written{frame.time, &frame.particles, frame.bonds ? &*frame.bonds : nullptr, frame.walls};
+  if (snapshots_) {
+    snapshots_->write_fixed(frame.fixed);
+    snapshots_->write(written);
+  }
+  if (fields_) {
+    fields_->take_fixed(frame.fixed);
+    fields_->write(written);
+  }
 }
 
 void RunOutput::add_walls(Frame& frame, const Simulation& simulation) {

@@ -53,19 +53,33 @@ bool is_frame(std::string_view name) {
          std::all_of(number.begin(), number.end(), is_digit);
 }
 
+/// Whether a file has the name of an index of fields.h5, perhaps with .tmp at the end.
+bool is_field_index(std::string_view name) {
+  if (name.ends_with(".tmp")) name.remove_suffix(4);
+  const std::size_t dot = std::min(name.find('.'), name.size());
+  const std::string_view kind = name.substr(0, dot), suffix = name.substr(dot);
+  return (kind == "particles" || kind == "bonds" || kind == "liners" || kind == "liners_fixed") &&
+         (suffix == ".xdmf" || suffix == ".vtkhdf");
+}
+
+/// Removes the files of a run in a folder, and the folder unless it contains other files.
+void remove_folder(const fs::path& folder, bool (*is_of_run)(std::string_view name)) {
+  if (!fs::is_directory(folder)) return;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_of_run(entry.path().filename().string())) files.push_back(entry.path());
+  for (const fs::path& path : files) remove_file(path);
+  std::error_code not_empty;
+  fs::remove(folder, not_empty);
+}
+
 void remove_run(const fs::path& directory) {
   for (const char* name : own_files) {
     remove_file(directory / name);
     remove_file(directory / (std::string(name) + ".tmp"));
   }
-  const fs::path snapshots = directory / "snapshots";
-  if (!fs::is_directory(snapshots)) return;
-  std::vector<fs::path> frames;
-  for (const auto& entry : fs::directory_iterator(snapshots))
-    if (is_frame(entry.path().filename().string())) frames.push_back(entry.path());
-  for (const fs::path& path : frames) remove_file(path);
-  std::error_code not_empty;
-  fs::remove(snapshots, not_empty);  // it remains if it contains other files
+  remove_folder(directory / "snapshots", is_frame);
+  remove_folder(directory / "fields", is_field_index);
 }
 
 void make_directory(const fs::path& path) {

@@ -45,7 +45,7 @@ struct SnapshotField {
 };
 std::vector<SnapshotField> snapshot_fields();
 
-/// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: appended, zlib, float32),
+/// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: binary, zlib, float32),
 /// snapshots/walls_fixed.vtp once, and the ParaView indices {particles,bonds,walls}.pvd.
 ///
 /// particles: points with one vertex cell, all fields at the points. bonds: one line for each bond, with two points of
