@@ -76,6 +76,7 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
   if (!saved) return;
   rows_.restore(*saved);
   maps_.restore(*saved);
+  history_ = FragmentHistory(saved->get_one<FragmentHistory::State>("fragment_history"));
   gyrations_.restore(*saved);
   if (with_fines_) with_fines_->restore(*saved, with_fines_name);
   motor_.restore(*saved);
@@ -140,7 +141,10 @@ void RunOutput::write_snapshot(const Simulation& simulation) {
   const auto frame = std::make_shared<Frame>();
   frame->time = simulation.time();
   frame->particles = simulation.dem().particles();
-  if (input_.bonds) frame->bonds = simulation.dem().bonds();
+  if (input_.bonds) {
+    frame->bonds = simulation.dem().bonds();
+    frame->fragments = history_.look(frame->time, simulation.fragments_inside(), frame->particles);
+  }
   add_walls(*frame, simulation);
   writer_.add([this, frame] {
     require_own_();
@@ -151,7 +155,8 @@ void RunOutput::write_snapshot(const Simulation& simulation) {
 }
 
 void RunOutput::write_files(const Frame& frame) {
-  const SnapshotFrame written{frame.time, &frame.particles, frame.bonds ? &*frame.bonds : nullptr, frame.walls};
+  const SnapshotFrame written{frame.time, &frame.particles, frame.bonds ? &*frame.bonds : nullptr, frame.walls,
+                              frame.fragments ? &*frame.fragments : nullptr};
   if (snapshots_) {
     snapshots_->write_fixed(frame.fixed);
     snapshots_->write(written);
@@ -192,6 +197,7 @@ void RunOutput::save(SavedState& to) const {
   }
   rows_.save(to);
   maps_.save(to);
+  to.put_one("fragment_history", history_.state());
   gyrations_.save(to);
   if (with_fines_) with_fines_->save(to, with_fines_name);
   motor_.save(to);

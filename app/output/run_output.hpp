@@ -80,14 +80,15 @@ class RunOutput {
     }
   };
 
-  /// A snapshot with all that its files need: 124 bytes a particle and 32 a bond, and the moved walls. At most two
-  /// exist: one that is written, for which its writer has one file at a time as 32-bit numbers as well, and one that
-  /// waits or is being made.
+  /// A snapshot with all that its files need: 124 bytes a particle, 32 a bond, 128 a fragment, and the moved walls. At
+  /// most two exist: one that is written, for which its writer has one file at a time as 32-bit numbers as well, and
+  /// one that waits or is being made.
   struct Frame {
     double time;  ///< [s]
     ParticleSnapshot particles;
     std::optional<BondSnapshot> bonds;
     std::vector<PosedWall> walls;
+    std::optional<FragmentSnapshot> fragments;
     std::vector<PosedWall> fixed;  ///< only in the first frame of this process
   };
 
@@ -105,6 +106,7 @@ class RunOutput {
   RowWriter rows_;
   LinerMaps maps_;
   RequireOwn require_own_;
+  FragmentHistory history_;
   bool lost_ = false;         ///< a number was not finite
   bool fixed_given_ = false;  ///< the writer has the walls that are the same in all frames
   GyrationReader gyrations_;

@@ -26,11 +26,13 @@ struct Kind {
 constexpr Kind kinds[] = {{"bonds", "/bonds", "bonds"},
                           {"liners", "/liners", "walls"},
                           {"liners_fixed", "/liners_fixed", "walls"},
+                          {"fragments", "/fragments", "fragments"},
                           {"particles", "/VTKHDF", "particles"}};
 constexpr const Kind& bonds = kinds[0];
 constexpr const Kind& liners = kinds[1];
 constexpr const Kind& liners_fixed = kinds[2];
-constexpr const Kind& particles = kinds[3];
+constexpr const Kind& fragments = kinds[3];
+constexpr const Kind& particles = kinds[4];
 
 std::vector<SnapshotField> fields_of(const Kind& kind) {
   std::vector<SnapshotField> fields = snapshot_fields();
@@ -100,6 +102,7 @@ std::vector<FieldsFile::Part> FieldsFile::parts_of(const SnapshotFrame& frame) c
   if (frame.bonds) add(bonds, bond_data(*frame.bonds, *frame.particles));
   if (!frame.walls.empty()) add(liners, wall_data(frame.walls));
   if (fixed_) add(liners_fixed, *fixed_);
+  if (frame.fragments) add(fragments, fragment_data(*frame.fragments));
   if (frame.particles) add(particles, particle_data(*frame.particles));
   return parts;
 }

@@ -15,9 +15,9 @@
 namespace gyro {
 
 /// fields.h5 of a run: the same snapshots as the .vtp files in one HDF5 file, compressed, with what does not change
-/// stored once. Groups: /VTKHDF (particles), /bonds, /liners (walls that change), /liners_fixed (FieldGroup has their
-/// form). Beside it: fields.xdmf for ParaView 5.11 and older, and in the folder `fields` KIND.xdmf for one kind alone
-/// and KIND.vtkhdf for ParaView 5.12 and newer, which are names for the groups of fields.h5.
+/// stored once. Groups: /VTKHDF (particles), /fragments, /bonds, /liners (walls that change), /liners_fixed (FieldGroup
+/// has their form). Beside it: fields.xdmf for ParaView 5.11 and older, and in the folder `fields` KIND.xdmf for one
+/// kind alone and KIND.vtkhdf for ParaView 5.12 and newer, which are names for the groups of fields.h5.
 ///
 /// Between frames the file is closed, so that any program can read it. If the process is killed while a frame is
 /// written, the frames before it remain; programs then open the file after `h5clear -s --increment=0 fields.h5`, or

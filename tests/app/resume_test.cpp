@@ -23,7 +23,7 @@ const std::string box = "run '" GYRO_CASES "/box.yaml' ";
 
 void require_same_fields(const fs::path& a, const fs::path& b) {
   const hdf5::File one = hdf5::File::open_closed(a), other = hdf5::File::open_closed(b);
-  for (const char* group : {"/VTKHDF", "/bonds", "/liners"}) {
+  for (const char* group : {"/VTKHDF", "/bonds", "/liners", "/fragments"}) {
     INFO(group);
     REQUIRE(frame_count(one, group) > 10);
     REQUIRE(frame_count(one, group) == frame_count(other, group));
@@ -40,7 +40,7 @@ void require_same_results(const fs::path& a, const fs::path& b) {
     CHECK(one[k].first == other[k].first);
     CHECK(one[k].second == other[k].second);
   }
-  for (const char* name : {"particles.pvd", "bonds.pvd", "walls.pvd"})
+  for (const char* name : {"particles.pvd", "bonds.pvd", "walls.pvd", "fragments.pvd"})
     CHECK(read_text(a / name) == read_text(b / name));
   for (const auto& frame : fs::directory_iterator(a / "snapshots")) {
     INFO(frame.path());

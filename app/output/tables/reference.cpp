@@ -61,11 +61,11 @@ OutputGroup snapshot_group(const std::string& kind, const std::string& content, 
 }
 
 OutputGroup fields_group() {
-  OutputGroup group{
-      "fields.h5",
-      "the same frames with output.formats: [hdf5], in groups of VTKHDF 2.0: /VTKHDF (particles), /bonds, /liners "
-      "(walls that change) and /liners_fixed; rows that belong to no frame fill up chunks",
-      {}};
+  OutputGroup group{"fields.h5",
+                    "the same frames with output.formats: [hdf5], in groups of VTKHDF 2.0: /VTKHDF (particles), "
+                    "/fragments, /bonds, /liners "
+                    "(walls that change) and /liners_fixed; rows that belong to no frame fill up chunks",
+                    {}};
   const auto add = [&](const char* name, const char* units, const char* width, const char* description) {
     group.entries.push_back({name, units, width, to_string(Sampling::instant), "in each group", description});
   };
@@ -147,6 +147,10 @@ std::vector<OutputGroup> output_reference() {
           summary_group(),
           snapshot_group("particles", "points, in single precision; open particles.pvd", "with output.snapshots"),
           snapshot_group("bonds", "lines, in single precision; open bonds.pvd", "with output.snapshots and bonds"),
+          snapshot_group("fragments",
+                         "points at the centres of mass, in single precision; open fragments.pvd. Fragments that have "
+                         "left the chamber are not among them",
+                         "with output.snapshots and bonds"),
           snapshot_group("walls", "triangles, in single precision; open walls.pvd", "with output.snapshots"),
           fields_group()};
 }

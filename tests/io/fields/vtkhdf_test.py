@@ -19,7 +19,8 @@ try:
 except ImportError:
     sys.exit(77)
 
-NAMES_IN_PVD = {"particles": ("particles", "particles_"), "bonds": ("bonds", "bonds_"), "liners": ("walls", "walls_0"),
+NAMES_IN_PVD = {"particles": ("particles", "particles_"), "bonds": ("bonds", "bonds_"),
+                "fragments": ("fragments", "fragments_"), "liners": ("walls", "walls_0"),
                 "liners_fixed": ("walls", "walls_fixed")}
 
 
