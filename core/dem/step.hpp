@@ -146,7 +146,9 @@ Gather<Real> DemSolver<Exec, Real>::gather() {
           .walls = lists_.walls().read(),
           .gravity = scene_.gravity,
           .with_bonds = rock_.has_bonds(),
-          .held = held() ? held_.data() : nullptr};
+          .held = held() ? held_.data() : nullptr,
+          .dt = scene_.dt,
+          .held_cap = laws_.held_cap()};
 }
 
 /// @param kick  false: only the loads, before the first step of a scene

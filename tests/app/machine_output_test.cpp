@@ -186,7 +186,8 @@ TEST_CASE("export csv writes every table, curves with the size of each sieve in 
   CHECK(first_line("breakage").starts_with("time_s,energy_J,"));
   CHECK(first_line("ledger").starts_with("time_s,"));
   CHECK(first_line("fragments") ==
-        "time_s,id,mass_kg,particles,place,position_x_m,position_y_m,position_z_m,rock,size_m");
+        "time_s,fed_s,id,mass_kg,particles,place,position_x_m,position_y_m,position_z_m,rock,size_m,velocity_x_m/s,"
+        "velocity_y_m/s,velocity_z_m/s");
   const Outcome wrong = place.gyrosim("export csv run --table pieces");
   CHECK(wrong.code == 2);
   CHECK(wrong.err ==
