@@ -30,13 +30,15 @@ constexpr Headline headlines[] = {
     {"cost [s]", "wall_seconds", nullptr, 1},
 };
 
-/// "12.3 +- 0.4": as many digits as the error gives sense to.
+/// "12.3 +- 0.4": two digits of the error, and as many decimals of the value.
 std::string with_error(const Estimate& estimate, double scale) {
+  constexpr int max_decimals = 4;
   if (!std::isfinite(estimate.value)) return "-";
   const double value = estimate.value * scale, error = estimate.error * scale;
   if (!std::isfinite(error)) return format("%.3g", value);
   if (error == 0) return format("%.3g +- 0", value);
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(std::abs(error)))), 0, 9);
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(std::abs(error)))));
+  if (decimals > max_decimals) return format("%.2g +- %.2g", value, error);
   return format("%.*f +- %.*f", decimals, value, decimals, error);
 }
 

@@ -51,7 +51,12 @@ class SweepReader {
       sweep_.case_mark = entry->value.mark;
     else
       reader_.problem(root.mark, "required key \"case\" is missing; give " + std::string(form));
-    if (!path.empty()) sweep_.case_file = (sweep_.file.parent_path() / path).lexically_normal();
+    if (path.empty()) return;
+    sweep_.case_file = (sweep_.file.parent_path() / path).lexically_normal();
+    std::error_code error;
+    if (!fs::exists(sweep_.case_file, error))
+      reader_.problem(sweep_.case_mark,
+                      "case: there is no file " + sweep_.case_file.string() + "; give " + std::string(form));
   }
 
   void read_set(const YamlNode& root) {
