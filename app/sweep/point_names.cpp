@@ -55,11 +55,11 @@ std::vector<std::string> short_names(const std::vector<std::string>& keys,
 
 std::string value_in_name(const std::string& value) {
   std::string text;
-  bool lossy = false;
+  bool lossy = std::count(value.begin(), value.end(), '[') > 1;  // lists in a list
   for (const char c : value) {
-    if (c == ' ' || c == '"') continue;
-    lossy |= !is_safe(c);
-    text += is_safe(c) ? c : '-';
+    if (std::string_view(" \"[]").find(c) != std::string_view::npos) continue;
+    lossy |= !is_safe(c) && c != ',';
+    text += is_safe(c) ? c : c == ',' ? '+' : '-';
   }
   return lossy || text.empty() || text.size() > longest_value ? with_digest(text, longest_value, value) : text;
 }

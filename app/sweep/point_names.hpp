@@ -15,8 +15,8 @@ namespace gyro {
 std::vector<std::string> short_names(const std::vector<std::string>& keys,
                                      const std::map<std::string, std::string>& given);
 
-/// A value with letters, digits, points, plus and minus only: "90 mm" becomes "90mm". A value that loses other
-/// characters or is long ends with a digest, so that different values stay different.
+/// A value with letters, digits, points, plus and minus only: "90 mm" becomes "90mm", [0, 1] 0+1. A value that loses
+/// other characters or is long ends with a digest, so that different values stay different.
 std::string value_in_name(const std::string& value);
 
 /// Name of the settings of a point: "css-90mm_relative-0.5"; empty if nothing varies. Only the point's own values

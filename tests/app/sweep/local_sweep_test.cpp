@@ -18,8 +18,8 @@ const std::string box_sweep = "case: '" GYRO_CASES
                               "/box.yaml'\n"
                               "set: {time.duration: 0.4 s, output.snapshots: 0 s, output.series: 3 ms}\n"
                               "seeds: [1, 2]\n"
-                              "vary: {gravity: [[0, 0, -9], [0, 0, -10]]}\n"
-                              "names: {gravity: g}\n";
+                              "vary: {contacts.rock/rock.friction: [0.4, 0.5]}\n"
+                              "names: {contacts.rock/rock.friction: f}\n";
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -68,7 +68,7 @@ TEST_CASE("A sweep runs its points, and a repeated call runs none of them again"
   CHECK(count_of(read_text(sweep / "points.csv"), "\n") == 5);
   const std::string csv = read_text(sweep / "results.csv");
   CHECK(count_of(csv, ",done,") == 4);
-  CHECK_THAT(csv, Contains("name,gravity,seed,status,simulated_seconds"));
+  CHECK_THAT(csv, Contains("name,contacts.rock/rock.friction,seed,status,simulated_seconds"));
 
   const Outcome second = place.gyrosim("sweep s.yaml");
   CHECK(second.code == 0);
@@ -113,7 +113,7 @@ TEST_CASE("Two calls at the same time run no point twice") {
   const std::string one = read_text(place.path() / "one"), two = read_text(place.path() / "two");
   INFO(one << two);
   CHECK(count_of(one + two, "FAILED") == 0);
-  CHECK(count_of(one, "] done ") + count_of(two, "] done ") == 4);
+  CHECK(count_of(one, "] done f-") + count_of(two, "] done f-") == 4);
   CHECK(place.gyrosim("sweep s.yaml").code == 0);
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("Points whose settings or input files have changed since they were run
   REQUIRE(place.shell("echo >>box-particles.csv").code == 0);
   const Outcome input = place.gyrosim("sweep s.yaml");
   CHECK(input.code == 2);
-  CHECK_THAT(input.err, Contains("s.yaml:1:7: a file that the case names has changed since the point g-"));
+  CHECK_THAT(input.err, Contains("s.yaml:1:7: a file that the case names has changed since the point f-0.4_seed-1"));
 }
 
 TEST_CASE("A point that fails or that a guard stops holds up no other, and is run again with --retry only") {

@@ -79,9 +79,10 @@ TEST_CASE("A short name is the last part of a key, with the parts before it that
 TEST_CASE("Names of points are safe for shells and file systems, short, and differ for different values") {
   CHECK(value_in_name("90 mm") == "90mm");
   CHECK(value_in_name("-1.5e-3") == "-1.5e-3");
+  CHECK(value_in_name("[0, 0, -9.81]") == "0+0+-9.81");
   std::set<std::string> names;
   const std::string letters = "abcdefghijklmnopqrstuvwxyz0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ.+-_";
-  for (const std::string value : {"a/b", "a:b", "a\\b", "$(x)", "[1, 2]", "[1, 3]", "..", "", "a*b", "ä", "{a: 1}"}) {
+  for (const std::string value : {"a/b", "a:b", "a\\b", "$(x)", "[1, 2]", "[1, 3]", "[[1], 3]", "..", "", "a*b", "ä", "{a: 1}"}) {
     const std::string name = value_in_name(value);
     INFO(value << " is " << name);
     CHECK(names.insert(name).second);
