@@ -66,7 +66,7 @@ ALLOWED = {
     "app/assembly": (*PROGRAM, "app/simulation/", "app/assembly/"),
     "app/output": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/"),
     "app/run": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/"),
-    "app/sweep": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/", "app/exit_codes.hpp", "app/sweep/"),
+    "app/sweep": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/", "app/sweep/"),
     "app/verify": (*PROGRAM, "app/simulation/", "app/verify/"),
     "app/bench": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/", "app/bench/"),
     "app/examples": ("core/", "gpu/", "mbd/", "app/simulation/", "app/examples/"),  # what a user of the installed library sees

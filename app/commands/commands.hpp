@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/assembly/bad_key.hpp"
-#include "app/exit_codes.hpp"
+#include "app/run/exit_codes.hpp"
 #include "io/case/case.hpp"
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.hpp"
+#include "app/run/stop_request.hpp"
 #include "app/sweep/local_engine.hpp"
 #include "app/sweep/results_files.hpp"
 #include "app/sweep/results_text.hpp"
@@ -10,7 +11,6 @@
 #include "io/run/replace_file.hpp"
 
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <map>
 #include <thread>
@@ -84,7 +84,6 @@ std::string again(const SweepArguments& arguments, const fs::path& directory) {
 }
 
 int run_here(const SweepArguments& arguments, const fs::path& directory, const CheckedSweep& sweep) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader of the messages that ends must not end the runs
   LocalOptions options{.retry = arguments.retry, .quiet = arguments.quiet};
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, cores / sweep.file.threads);
@@ -139,6 +138,9 @@ int hand_to_slurm(const SweepArguments& arguments, const fs::path& directory, co
 }  // namespace
 
 int sweep_command(const SweepArguments& arguments) {
+  catch_stop_signals(exit_interrupted);  // until the points run
+  if (arguments.jobs > 0 && arguments.engine == "slurm")
+    throw BadInput("--jobs belongs to --engine local; with slurm, give `at_once` below `slurm` of the sweep file");
   const SweepReport report = load_sweep(arguments.file);
   if (complain(report.problems)) return exit_bad_input;
   const CheckedSweep sweep = check_points(*report.loaded);

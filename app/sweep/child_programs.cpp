@@ -48,6 +48,8 @@ ChildPrograms::ChildPrograms() {
 }
 
 ChildPrograms::~ChildPrograms() {
+  while (wait(std::chrono::milliseconds(0)) != 0) {  // what came after the last child had ended
+  }
   ::sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 

@@ -25,7 +25,7 @@ struct EndedChild {
 class ChildPrograms {
  public:
   ChildPrograms();
-  /// The signals act as before. Children that still run are left to themselves.
+  /// The signals act as before; those that wait are dropped. Children that still run are left to themselves.
   ~ChildPrograms();
   ChildPrograms(const ChildPrograms&) = delete;
   ChildPrograms& operator=(const ChildPrograms&) = delete;

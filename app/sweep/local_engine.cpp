@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sweep/local_engine.hpp"
 
-#include "app/exit_codes.hpp"
+#include "app/run/exit_codes.hpp"
 #include "app/sweep/child_programs.hpp"
-#include "core/base/printable.hpp"
-#include "io/files/read_file.hpp"
+#include "app/sweep/run_messages.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/run_lock.hpp"
 
@@ -24,16 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-/// The last line that is not empty of what a file holds after `begin`.
-std::string last_line(const fs::path& file, std::uintmax_t begin) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return {};
-  std::string text = read_file(file);
-  text.erase(0, std::min<std::size_t>(begin, text.size()));
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return printable(text.substr(text.rfind('\n') + 1));
 }
 
 /// A point that is being run.
@@ -142,9 +131,10 @@ void LocalEngine::note_failure(const RunningPoint& ended, const EndedChild& chil
     return say("runs elsewhere:", name);
   }
   ++outcome_.failed;
-  const std::string reason = child.signal != 0 ? "killed by signal " + std::to_string(child.signal) +
-                                                     "; the next call continues it from its last checkpoint"
-                                               : "exit code " + std::to_string(child.code) + "; " + line;
+  const std::string reason =
+      child.signal != 0
+          ? "killed by signal " + std::to_string(child.signal) + "; the next call continues it from its last checkpoint"
+          : "exit code " + std::to_string(child.code) + "; " + placed_in_sweep(line, sweep_, *ended.point);
   say("FAILED", name, ": " + reason + " (" + log_file(directory_, name).string() + ")");
 }
 
@@ -161,7 +151,7 @@ void LocalEngine::note_end(const EndedChild& child) {
     say("done", ended.point->name, took);
   } else if (child.code == exit_stopped) {
     ++outcome_.stopped;
-    say("STOPPED", ended.point->name, took + ": " + line);
+    say("STOPPED", ended.point->name, took + ": " + reason_of(directory_ / ended.point->name, line));
   } else if (child.code == exit_interrupted || (outcome_.by_signal && child.signal == SIGTERM)) {  // while it started
     ++outcome_.interrupted;
     say("interrupted", ended.point->name, took);

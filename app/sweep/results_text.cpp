@@ -23,7 +23,7 @@ constexpr Headline headlines[] = {
     {"power [kW]", "mean_crushing_power", "steady.crushing_power", 1e-3},
     {"throughput [t/h]", "throughput_tph", "steady.throughput_tph", 1},
     {"P80 [mm]", "p80", "steady.p80", 1e3},
-    {"kWh/t", "specific_energy_kwh_per_t", "steady.specific_energy_kwh_per_t", 1},
+    {"energy [Wh/t]", "specific_energy_kwh_per_t", "steady.specific_energy_kwh_per_t", 1e3},
     {"broken [%]", "broken_share", nullptr, 100},
     {"stalled", "stalled", nullptr, 1},
     {"energy residual [%]", "energy_residual_fraction", nullptr, 100},

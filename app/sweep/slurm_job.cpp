@@ -37,8 +37,10 @@ std::string job_name(const fs::path& sweep) {
 
 std::string options_of(const fs::path& directory, const CheckedSweep& sweep, std::size_t points) {
   const SlurmRequest& request = sweep.file.slurm;
-  std::string text = option("job-name", job_name(sweep.file.file)) + option("array", "1-" + std::to_string(points)) +
-                     option("nodes", "1") + option("ntasks", "1") +
+  const std::string limit = request.at_once > 0 ? "%" + std::to_string(request.at_once) : "";
+  std::string text = option("job-name", job_name(sweep.file.file)) +
+                     option("array", "1-" + std::to_string(points) + limit) + option("nodes", "1") +
+                     option("ntasks", "1") +
                      option("cpus-per-task", std::to_string(request.cpus > 0 ? request.cpus : sweep.file.threads)) +
                      option("signal", "B:USR1@" + std::to_string(request.signal)) + option("--requeue") +
                      option("open-mode", "append") +

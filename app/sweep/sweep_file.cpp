@@ -124,11 +124,12 @@ class SweepReader {
   }
 
   void read_slurm(const YamlNode& root) {
-    constexpr std::string_view form = "a map of partition, time, cpus, account, memory, signal and options";
+    constexpr std::string_view form = "a map of partition, time, cpus, account, memory, signal, at_once and options";
     const YamlEntry* slurm = reader_.given(root, "slurm", form);
     if (slurm == nullptr || !reader_.has_kind(*slurm, Kind::map, form)) return;
     const YamlNode& map = slurm->value;
-    reader_.refuse_unknown(map, {"partition", "time", "cpus", "account", "memory", "signal", "options"}, " in slurm");
+    reader_.refuse_unknown(map, {"partition", "time", "cpus", "account", "memory", "signal", "at_once", "options"},
+                           " in slurm");
     SlurmRequest& request = sweep_.slurm;
     request.partition = reader_.text(map, "partition", "the name of a partition");
     request.time = reader_.text(map, "time", "a time as sbatch takes it, such as \"12:00:00\"");
@@ -138,14 +139,23 @@ class SweepReader {
       request.cpus = static_cast<int>(reader_.integer(cpus->value, "cpus", 1, 4096).value_or(0));
     if (const YamlEntry* signal = reader_.given(map, "signal", "seconds before the time limit"))
       request.signal = static_cast<int>(reader_.integer(signal->value, "signal", 1, 65535).value_or(1));
+    if (const YamlEntry* at_once = reader_.given(map, "at_once", "a number of points"))
+      request.at_once = static_cast<int>(reader_.integer(at_once->value, "at_once", 1, max_points).value_or(1));
+    read_slurm_options(map);
+  }
+
+  void read_slurm_options(const YamlNode& map) {
     constexpr std::string_view options_form = "a list of options of sbatch, as [\"--gres=gpu:1\"]";
     const YamlEntry* options = reader_.given(map, "options", options_form);
     if (options == nullptr || !reader_.has_kind(*options, Kind::list, options_form)) return;
-    for (const YamlNode& item : options->value.items)
-      if (item.kind == Kind::scalar && item.text.starts_with("-") && item.text.find('\n') == std::string::npos)
-        request.options.push_back(item.text);
-      else
+    for (const YamlNode& item : options->value.items) {
+      if (item.kind != Kind::scalar || !item.text.starts_with("-") || item.text.find('\n') != std::string::npos)
         reader_.problem(item.mark, "options: this is not an option; give " + std::string(options_form));
+      else if (item.text.starts_with("-a") || item.text.starts_with("--array"))
+        reader_.problem(item.mark, "options: the sweep numbers its tasks itself; `at_once` limits them");
+      else
+        sweep_.slurm.options.push_back(item.text);
+    }
   }
 
   void refuse_keys_twice() {

@@ -34,6 +34,7 @@ struct SlurmRequest {
   std::string partition, time, account, memory;
   int cpus = 0;                      ///< of a point; 0: its threads
   int signal = 120;                  ///< before the time limit a run is told to write its checkpoint [s]
+  int at_once = 0;                   ///< points that run at the same time; 0: as many as Slurm starts
   std::vector<std::string> options;  ///< further options of sbatch, each as one text
 };
 

@@ -163,6 +163,16 @@ TEST_CASE("A point that fails or that a guard stops holds up no other, and is ru
   CHECK(summary_of(run)["status"] == "done");
 }
 
+TEST_CASE("A value that shows to be bad only when a run begins fails its point, with the place in the sweep file") {
+  const Workplace place;
+  place.write("s.yaml", "case: '" GYRO_APP_CASES
+                        "/platen.yaml'\nset: {time.duration: 1 ms}\nvary:\n  time.step: [auto, 0.2 ms]\n");
+  const Outcome outcome = place.gyrosim("sweep s.yaml");
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.err, Contains("FAILED step-0.2ms_seed-1: exit code 2; s.yaml:4:21: the time step of 0.0002 s"));
+  CHECK_THAT(outcome.err, Contains("1 done, 0 stopped by a guard, 1 failed"));
+}
+
 TEST_CASE("A bad sweep, a directory of something else, and results of nothing are refused, and nothing is written") {
   const Workplace place;
   place.write("s.yaml", box_sweep + "seds: 3\n");
@@ -174,6 +184,7 @@ TEST_CASE("A bad sweep, a directory of something else, and results of nothing ar
   CHECK(place.gyrosim("sweep s.yaml --dry-run").code == 0);
   CHECK(place.gyrosim("sweep s.yaml --dry-run --collect").code == 2);
   CHECK(place.gyrosim("sweep s.yaml --engine pbs").code == 2);
+  CHECK_THAT(place.gyrosim("sweep s.yaml --engine slurm --jobs 2").err, Contains("`at_once` below `slurm`"));
   CHECK(place.gyrosim("sweep s.yaml --out s.yaml").code == 2);
   place.write("results.h5", "mine");
   CHECK_THAT(place.gyrosim("sweep s.yaml --out .").err, Contains("which is not of a sweep"));

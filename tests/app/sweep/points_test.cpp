@@ -35,7 +35,7 @@ std::vector<std::string> names_of(const SweepFile& sweep) {
 
 }  // namespace
 
-TEST_CASE("A sweep is every combination of its axes and seeds; keys that change together stay together") {
+TEST_CASE("A sweep is every combination of its axes and seeds, and keys that change together stay together") {
   SweepFile sweep = sweep_of_three_axes();
   sweep.seeds = {{4}, {9}};
   CHECK(count_points(sweep, 100) == 16);
@@ -82,7 +82,8 @@ TEST_CASE("Names of points are safe for shells and file systems, short, and diff
   CHECK(value_in_name("[0, 0, -9.81]") == "0+0+-9.81");
   std::set<std::string> names;
   const std::string letters = "abcdefghijklmnopqrstuvwxyz0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ.+-_";
-  for (const std::string value : {"a/b", "a:b", "a\\b", "$(x)", "[1, 2]", "[1, 3]", "[[1], 3]", "..", "", "a*b", "ä", "{a: 1}"}) {
+  for (const std::string value :
+       {"a/b", "a:b", "a\\b", "$(x)", "[1, 2]", "[1, 3]", "[[1], 3]", "..", "", "a*b", "ä", "{a: 1}"}) {
     const std::string name = value_in_name(value);
     INFO(value << " is " << name);
     CHECK(names.insert(name).second);

@@ -39,8 +39,9 @@ TEST_CASE("A job array has one task a point, asks for what the sweep file says, 
         "--set case.seed=8)\n", "\"${settings[@]}\" --out \"$out\" --resume --quiet --threads 2 --until '5 ms'",
         "scontrol requeue \"${SLURM_ARRAY_JOB_ID}_${SLURM_ARRAY_TASK_ID}\"\n"})
     CHECK_THAT(script, Contains(line));
-  CHECK_THAT(script_of(place, "slurm: {cpus: 4, signal: 30}\n"),
-             Contains("--cpus-per-task=4\n") && Contains("B:USR1@30\n") && !Contains("--partition"));
+  CHECK_THAT(script_of(place, "slurm: {cpus: 4, signal: 30, at_once: 1}\n"),
+             Contains("--cpus-per-task=4\n") && Contains("B:USR1@30\n") && Contains("--array=1-2%1\n") &&
+                 !Contains("--partition"));
   place.write("job.sh", script);
   CHECK(place.shell("bash -n job.sh").code == 0);
 }

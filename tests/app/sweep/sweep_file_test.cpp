@@ -50,7 +50,7 @@ TEST_CASE("All mistakes of a sweep file are reported together, each at its place
                                            "latin_hypercube: {ranges: {rocks.fill.ratio: [4 m, 3 mm]}}\n"
                                            "threads: 0\n"
                                            "names: {gravity: g h}\n"
-                                           "slurm: {tim: 1, options: [x]}\n");
+                                           "slurm: {tim: 1, options: [x, --array=1]}\n");
   for (const char* expected :
        {"2:1: unknown key \"sets\"; did you mean \"set\"?", "3:8: until: \"3 mm\" is a length",
         "4:12: seeds has 1 twice", "4:15: seeds = -2 is out of range", "4:19: seeds: \"x\" is not a number",
@@ -59,9 +59,10 @@ TEST_CASE("All mistakes of a sweep file are reported together, each at its place
         "9:3: the seed of a point comes from `seeds`", "10:46: gravity has 1 values and time.safety 2",
         "11:1: latin_hypercube has no points", "11:52: rocks.fill.ratio: the two ends have different units",
         "12:10: threads = 0 is out of range", "13:9: names: gravity does not vary", "13:18: names: a short name begins",
-        "14:9: unknown key \"tim\" in slurm; did you mean \"time\"?", "14:27: options: this is not an option"})
+        "14:9: unknown key \"tim\" in slurm; did you mean \"time\"?", "14:27: options: this is not an option",
+        "14:30: options: the sweep numbers its tasks itself"})
     CHECK_THAT(problems, Contains(expected));
-  CHECK(std::count(problems.begin(), problems.end(), '\n') == 17);
+  CHECK(std::count(problems.begin(), problems.end(), '\n') == 18);
 }
 
 TEST_CASE("Values that the case does not take are reported at their places, once for all points") {
