@@ -3,7 +3,7 @@
 """A sweep under a real Slurm of one node: points that reach their time limit are put into the queue again and go on, a
 point that is killed goes on with the next call, and the results are those of runs in one part.
 
-Usage: sweep_test.py GYROSIM  BOX.yaml        about 11 minutes on two busy cores; exit code 77 where Slurm is not installed
+Usage: sweep_test.py GYROSIM BOX.yaml        5 to 11 minutes on two cores; exit code 77 where Slurm is not installed
 """
 import json
 import os
