@@ -2,6 +2,7 @@
 #include "app/command_line/command_line.hpp"
 
 #include "app/commands/commands.hpp"
+#include "app/run/run_end.hpp"
 #include "app/version.hpp"
 #include "io/yaml/units.hpp"
 
@@ -30,19 +31,10 @@ std::function<bool(const CLI::results_t&)> seconds_into(std::optional<double>& t
 /// The end of a run: a time, or `steady`, perhaps with a relative standard error.
 std::function<bool(const CLI::results_t&)> end_into(RunArguments& a) {
   return [&a](const CLI::results_t& words) {
-    constexpr std::string_view steady = "steady";
-    constexpr double usual_error = 0.05;
-    const std::string& word = words.front();
-    if (!word.starts_with(steady)) return seconds_into(a.until, "--until")(words);
-    a.steady = usual_error;
-    if (word == steady) return true;
-    const ParsedNumber parsed =
-        parse_quantity(word.substr(std::min(steady.size() + 1, word.size())), Dimension::number);
-    if (word[steady.size()] != '=' || !parsed.value || !(*parsed.value > 0 && *parsed.value < 1))
-      throw CLI::ValidationError("--until: " + word +
-                                 " is not an end; give a time, steady, or steady=ERROR with a "
-                                 "relative standard error between 0 and 1, such as steady=5%");
-    a.steady = parsed.value;
+    const ParsedRunEnd parsed = parse_run_end(words.front());
+    if (!parsed.end) throw CLI::ValidationError("--until: " + parsed.problem);
+    a.until = parsed.end->until;
+    a.steady = parsed.end->steady;
     return true;
   };
 }
@@ -89,6 +81,21 @@ void add_run(CLI::App& command, RunArguments& a) {
   command.add_flag("--quiet", a.quiet, "no progress and no summary");
   command.add_flag("--progress-json", a.json_progress,
                    "progress as lines of JSON on standard error, for programs that start runs");
+}
+
+void add_sweep(CLI::App& command, SweepArguments& a) {
+  command.add_option("SWEEP", a.file, "sweep file")->required();
+  command.add_option("--engine", a.engine, "what runs the points: this machine (local) or a batch system (slurm)")
+      ->check(CLI::IsMember({"local", "slurm"}));
+  command.add_option("--out", a.out, "directory of the points and results; default runs/<sweep>")->check(possible_name);
+  command.add_option("--jobs", a.jobs, "points side by side on this machine; default cores / threads of a point")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--retry", a.retry, "run points again that have failed or that a guard has stopped");
+  CLI::Option* collect = command.add_flag("--collect", a.collect, "only write the results of what has run so far");
+  command
+      .add_flag("--dry-run", a.dry_run, "list the points and run nothing; with slurm, write job.sh without submitting")
+      ->excludes(collect);
+  command.add_flag("--quiet", a.quiet, "no progress and no table");
 }
 
 void add_bench_accuracy(CLI::App& command, BenchAccuracyArguments& a) {
@@ -141,6 +148,7 @@ std::string usage_problem(const CLI::App* app, const CLI::Error& error) {
 /// The arguments of all commands.
 struct Arguments {
   RunArguments run;
+  SweepArguments sweep;
   CaseArguments check, library, liners, fmu;
   std::optional<std::filesystem::path> library_out, fmu_out;
   std::filesystem::path liners_out, reported;
@@ -158,6 +166,10 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
   CLI::App* c = app.add_subcommand("run", "run a case");
   add_run(*c, a.run);
   c->callback([&a] { a.chosen = [&a] { return run_command(a.run); }; });
+
+  c = app.add_subcommand("sweep", "run a case with several values of its keys, and compare the results");
+  add_sweep(*c, a.sweep);
+  c->callback([&a] { a.chosen = [&a] { return sweep_command(a.sweep); }; });
 
   c = app.add_subcommand("check", "validate a case; print its time step, counts and expected wall time");
   add_case(*c, a.check);

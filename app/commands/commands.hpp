@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/assembly/bad_key.hpp"
+#include "app/run/exit_codes.hpp"
 #include "io/case/case.hpp"
 
 #include <cstdint>
@@ -11,18 +12,6 @@
 #include <vector>
 
 namespace gyro {
-
-/// Exit codes of the program (README.md).
-enum ExitCode : int {
-  exit_done = 0,
-  exit_internal = 1,
-  exit_bad_input = 2,
-  exit_check_failed = 3,
-  exit_stopped = 4,
-  exit_output = 5,
-  exit_no_device = 6,
-  exit_interrupted = 75,
-};
 
 /// A case and how it is changed from the command line.
 struct CaseArguments {
@@ -40,6 +29,14 @@ struct RunArguments {
   bool resume = false, overwrite = false, quiet = false, json_progress = false;
   std::optional<double> until, max_walltime;  ///< [s]
   std::optional<double> steady;               ///< --until steady: relative standard error at which the run ends [-]
+};
+
+struct SweepArguments {
+  std::filesystem::path file;
+  std::optional<std::filesystem::path> out;  ///< none: runs/<sweep>
+  std::string engine = "local";              ///< local or slurm
+  int jobs = 0;                              ///< of the local engine; 0: cores / threads of a point
+  bool retry = false, collect = false, dry_run = false, quiet = false;
 };
 
 struct DescribeArguments {
@@ -84,6 +81,8 @@ struct BenchSpeedArguments {
 
 /// Each command returns an exit code; bad input and failures come as exceptions of core/base/errors.hpp.
 int run_command(const RunArguments& arguments);
+/// Runs the points of a sweep that are not done, or hands them to Slurm, and collects the results.
+int sweep_command(const SweepArguments& arguments);
 int check_command(const CaseArguments& arguments);
 int describe_command(const DescribeArguments& arguments);
 int liners_command(const CaseArguments& arguments, const std::filesystem::path& out);

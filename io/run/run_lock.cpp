@@ -78,7 +78,7 @@ Holder holder_in(int file) {
       holder.host.empty() ? "another process"
                           : "process " + std::to_string(holder.pid) + " on " + holder.host + " since " + holder.since;
   throw BadInput(
-      path.parent_path().string() + ": a run is still writing here (" + who +
+      path.parent_path().string() + ": " + lock_is_held + " (" + who +
       "); wait until it ends, stop it, or give another directory with --out. If that process is not a run of gyrosim, "
       "remove run.lock");
 }
@@ -240,6 +240,17 @@ RunLock::RunLock(const fs::path& directory, LockTimes times)
     : held_(std::make_unique<Held>(directory / "run.lock", times)) {}
 bool RunLock::lost() const {
   return held_->lost;
+}
+
+bool is_locked(const fs::path& directory) {
+  const int file = ::open((directory / "run.lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  struct flock whole = {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  const bool held = ::fcntl(file, F_OFD_GETLK, &whole) == 0 && whole.l_type != F_UNLCK;
+  ::close(file);
+  return held;
 }
 
 RunLock::~RunLock() = default;

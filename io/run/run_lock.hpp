@@ -14,6 +14,9 @@ struct LockTimes {
       45'000};  ///< a holder on another machine that gives no sign of life in this time is taken to have ended
 };
 
+/// Part of the message of a lock that another process holds; a program that called the run can tell it from bad input.
+constexpr const char* lock_is_held = "a run is still writing here";
+
 /// The right to write into the directory of a run. DIRECTORY/run.lock holds it while this object exists.
 ///
 /// The file is locked (fcntl), so that the lock ends with its process in any case. The file also contains host, process
@@ -36,5 +39,9 @@ class RunLock {
   struct Held;
   std::unique_ptr<Held> held_;
 };
+
+/// Whether a run is writing into a directory, as far as the locks of its file system show; nothing is written and
+/// nobody is waited for. A run on a machine whose locks are not visible here counts as ended; RunLock finds it.
+bool is_locked(const std::filesystem::path& directory);
 
 }  // namespace gyro

@@ -47,6 +47,20 @@ TEST_CASE("A directory has only one writer, and a second one is refused with the
   CHECK_NOTHROW(RunLock(folder.path()));
 }
 
+TEST_CASE("Whether a run writes into a directory can be seen without taking the lock") {
+  const ScratchDirectory folder;
+  CHECK_FALSE(is_locked(folder.path() / "nowhere"));
+  CHECK_FALSE(is_locked(folder.path()));
+  std::optional<RunLock> lock;
+  lock.emplace(folder.path());
+  CHECK(is_locked(folder.path()));
+  CHECK(is_locked(folder.path()));
+  lock.reset();
+  CHECK_FALSE(is_locked(folder.path()));
+  std::ofstream(folder.path() / "run.lock") << "host here\npid 1\n";  // of a run that was killed
+  CHECK_FALSE(is_locked(folder.path()));
+}
+
 TEST_CASE("The lock of a process that was killed can be taken") {
   const ScratchDirectory folder;
   int ready[2];
