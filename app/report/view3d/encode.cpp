@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/view3d/encode.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace gyro::report {
+namespace {
+
+template <class T>
+void append(std::string& bytes, const std::vector<T>& values) {
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+std::string data(const char* name, std::size_t value) {
+  return std::string(" data-") + name + "=\"" + std::to_string(value) + "\"";
+}
+
+}  // namespace
+
+std::string base64(std::string_view bytes) {
+  static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t i = k; i < k + 3; ++i)
+      group = group << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u);
+    for (int shift = 18; shift >= 0; shift -= 6) text += digits[group >> shift & 63];
+  }
+  if (bytes.size() % 3 > 0)
+    text.replace(text.size() - (3 - bytes.size() % 3), 3 - bytes.size() % 3, bytes.size() % 3 == 1 ? "==" : "=");
+  return text;
+}
+
+std::string html_frame(const ViewFrame& frame) {
+  std::string bytes;
+  append(bytes, frame.spheres);
+  append(bytes, frame.walls.positions);
+  append(bytes, frame.walls.corners);
+  append(bytes, frame.colours);
+  append(bytes, frame.walls.cut);
+  std::array<char, 32> time;
+  std::snprintf(time.data(), time.size(), "%.6g", frame.time);
+  return "<script type=\"text/plain\" class=\"frame\" data-time=\"" + std::string(time.data()) + "\"" +
+         data("spheres", frame.colours.size()) + data("particles", frame.particles) +
+         data("corners", frame.walls.cut.size()) + data("triangles", frame.walls.corners.size() / 3) + ">" +
+         base64(bytes) + "</script>\n";
+}
+
+}  // namespace gyro::report
