@@ -12,21 +12,23 @@ constexpr double turn = 2 * std::numbers::pi;
 
 }  // namespace
 
-Points means_over(std::span<const double> time, std::span<const double> values, double span) {
-  Points means;
-  double sum = 0, rows = 0, end = span, begin = 0;
-  const auto close = [&](double until) {
-    if (rows > 0) means.x.push_back((begin + until) / 2), means.y.push_back(sum / rows);
-    sum = rows = 0, begin = until;
-  };
-  for (std::size_t k = 0; k < std::min(time.size(), values.size()); ++k) {
-    if (std::isfinite(values[k])) sum += values[k], ++rows;
-    if (time[k] >= end * (1 - 1e-9)) {
-      close(time[k]);
-      end = time[k] + span;
-    }
+Points running_mean(std::span<const double> time, std::span<const double> values, double span) {
+  const std::size_t n = std::min(time.size(), values.size());
+  std::vector<double> sum(n + 1, 0), rows(n + 1, 0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool known = std::isfinite(values[k]);
+    sum[k + 1] = sum[k] + (known ? values[k] : 0);
+    rows[k + 1] = rows[k] + (known ? 1 : 0);
   }
-  if (!time.empty()) close(time.back());
+  Points means;
+  std::size_t first = 0;
+  for (std::size_t last = 0; last < n; ++last) {
+    while (time[last] - time[first] >= span * (1 - 1e-9)) ++first;
+    if (first == 0 && time[last] < span * (1 - 1e-9)) continue;  // the first row begins at 0
+    if (rows[last + 1] - rows[first] == 0) continue;
+    means.x.push_back(time[last] - span / 2);
+    means.y.push_back((sum[last + 1] - sum[first]) / (rows[last + 1] - rows[first]));
+  }
   return means;
 }
 

@@ -14,9 +14,9 @@ struct Points {
   std::vector<double> x, y;
 };
 
-/// Means over whole spans of `span` seconds, at their middles; the last span may be shorter. Values that are not finite
-/// are left out. Rows stand for equal times.
-Points means_over(std::span<const double> time, std::span<const double> values, double span);
+/// Running mean: at each row the mean over `span` seconds around it, where the rows reach as far. Values that are not
+/// finite are left out. Rows stand for equal times; `time` is rising.
+Points running_mean(std::span<const double> time, std::span<const double> values, double span);
 
 /// Mean over the rows after `begin` by the angle of the eccentric: middles of the bins [degrees] and means; bins
 /// without rows are left out. A row that is a mean belongs to the middle of the angles at its ends.

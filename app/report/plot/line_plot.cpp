@@ -205,6 +205,15 @@ std::string legend_of(const LinePlot& plot) {
   return legend;
 }
 
+std::vector<Tick> ticks_of(const Axis& axis, const Scale& scale, int wanted) {
+  if (scale.log) return log_ticks(scale.low, scale.high);
+  if (!(axis.step > 0)) return linear_ticks(scale.low, scale.high, wanted);
+  std::vector<Tick> ticks;
+  for (double value = std::ceil(scale.low / axis.step) * axis.step; value <= scale.high; value += axis.step)
+    ticks.push_back({value, number(value)});
+  return ticks;
+}
+
 }  // namespace
 
 bool has_points(const LinePlot& plot) {
@@ -217,9 +226,6 @@ bool has_points(const LinePlot& plot) {
 
 std::string figure(const LinePlot& plot) {
   const Frame f = frame_of(plot);
-  const auto ticks = [](const Scale& s, int wanted) {
-    return s.log ? log_ticks(s.low, s.high) : linear_ticks(s.low, s.high, wanted);
-  };
   std::string inside;
   for (const Area& a : plot.areas)
     inside += svg_path(outline_of(f, a.x, a.low, a.high), "area c" + std::to_string(a.style));
@@ -230,7 +236,7 @@ std::string figure(const LinePlot& plot) {
     inside += svg_points(f, c);
   }
   const std::string svg = svg_spans(f, plot.spans) +
-                          svg_axes(f, ticks(f.x, 6), ticks(f.y, 5), plot.x.label, plot.y.label) +
+                          svg_axes(f, ticks_of(plot.x, f.x, 6), ticks_of(plot.y, f.y, 5), plot.x.label, plot.y.label) +
                           svg_inside(f, inside) + svg_marks(f, plot.marks) + svg_spots(f, plot.spots);
   return html_figure(plot.title, legend_of(plot), svg_picture(width, height, plot.title, svg), plot.note);
 }

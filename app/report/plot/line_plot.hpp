@@ -14,6 +14,7 @@ struct Axis {
   bool log = false;
   std::optional<double> low = {}, high = {};  ///< ends; by default those of the data
   bool zero = false;                          ///< zero belongs to the axis
+  double step = 0;                            ///< from tick to tick of a linear axis; 0: one that suits
 };
 
 /// A line, or points with error bars.

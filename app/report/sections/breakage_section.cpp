@@ -73,7 +73,7 @@ std::string rate_plot(const Runs& runs) {
   double end = 0;
   for (const RunData& run : runs) end = std::max(end, run.end());
   const Unit time = shown_unit("s", end);
-  plot.x = {.label = "time [" + time.name + "]", .zero = true};
+  plot.x = {.label = "time [" + time.name + "]", .low = 0, .high = time.factor * end};
   plot.y = {.label = "broken bonds in each " + quantity(end / steps, "s"), .zero = true};
   int style = 0;
   for (const RunData& run : runs) {

@@ -56,7 +56,7 @@ std::string stack_plot(const Table& ledger) {
   const std::vector<double> given = supplied(ledger);
   const Unit unit = shown_unit("J", largest(given)), time = shown_unit("s", ledger.time().back());
   LinePlot plot{.title = "Where the energy of walls and gravity went"};
-  plot.x = {.label = "time [" + time.name + "]", .zero = true};
+  plot.x = {.label = "time [" + time.name + "]", .low = 0, .high = time.factor * ledger.time().back()};
   plot.y = {.label = "energy since the start [" + unit.name + "]", .zero = true};
   const std::vector<double> x = thinned(scaled(ledger.time(), time.factor));
   std::vector<double> below(x.size(), 0);
@@ -78,7 +78,7 @@ std::string residual_plot(const Table& ledger) {
   if (residual.empty()) return "";
   const Unit unit = shown_unit("J", largest(residual)), time = shown_unit("s", ledger.time().back());
   LinePlot plot{.title = "Residual of the energy balance"};
-  plot.x = {.label = "time [" + time.name + "]", .zero = true};
+  plot.x = {.label = "time [" + time.name + "]", .low = 0, .high = time.factor * ledger.time().back()};
   plot.y = {.label = "residual [" + unit.name + "]", .zero = true};
   plot.curves.push_back(
       {.name = {}, .x = scaled(ledger.time(), time.factor), .y = scaled(residual, unit.factor), .style = 0});

@@ -22,7 +22,8 @@ struct ByAngle {
 
 std::string span_words(const RunData& run) {
   const double begin = last_gyrations(run, shown_gyrations);
-  return begin > 0 ? "since " + quantity(begin, "s") : "over the whole run";
+  if (begin > 0) return "over the time since " + quantity(begin, "s");
+  return "over the whole run of " + number(run.gyrations().value_or(0), 2) + " gyrations";
 }
 
 /// A column against the angle of the eccentric, a curve for each run.
@@ -40,7 +41,7 @@ std::string angle_plot(const Runs& runs, const ByAngle& by) {
   if (curves.empty() || highest == 0) return "";
   const Unit unit = shown_unit(units, highest);
   LinePlot plot{.title = by.title};
-  plot.x = {.label = "angle of the eccentric [°]", .low = 0, .high = 360};
+  plot.x = {.label = "angle of the eccentric [°]", .low = 0, .high = 360, .step = 90};
   plot.y = {.label = by.what + " [" + unit.name + "]", .zero = true};
   plot.note = by.note + (runs.size() == 1 ? " Mean " + span_words(runs.front()) + "." : "");
   int style = 0;
@@ -149,11 +150,14 @@ std::string liner_maps(const RunData& run) {
 }  // namespace
 
 std::string load_section(const Runs& runs) {
-  const std::string turning = "The eccentric turns to larger angles.";
+  const std::string turning = "The gap is closed in the direction of the angle, counted from the x axis.";
   const std::string over_angle =
       angle_plot(runs, {"crushing_power", "Crushing power against the angle of the eccentric", "power", turning}) +
-      angle_plot(runs, {"mantle_torque", "Torque of the rock about the axis of the eccentric, against its angle",
-                        "torque", "Positive where the rock resists the drive. " + turning});
+      angle_plot(runs, {"mantle_torque", "Torque of the rock against the angle of the eccentric", "torque",
+                        "About the axis of the eccentric, positive where the rock resists the drive. " + turning});
+  if (runs.size() == 1)
+    return section("loads", "Loads on drive and liners",
+                   side_by_side(over_angle + polar(runs.front()) + liner_maps(runs.front())));
   const std::string single =
       by_run(runs, [](const RunData& run) { return side_by_side(polar(run) + liner_maps(run)); });
   return section("loads", "Loads on drive and liners", side_by_side(over_angle) + single);

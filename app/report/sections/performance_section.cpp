@@ -56,7 +56,7 @@ std::string speed_plot(const Runs& runs) {
   for (const RunData& run : runs) end = std::max(end, run.end());
   const Unit time = shown_unit("s", end);
   LinePlot plot{.title = "Speed of the computation over simulated time"};
-  plot.x = {.label = "simulated time [" + time.name + "]", .zero = true};
+  plot.x = {.label = "simulated time [" + time.name + "]", .low = 0, .high = time.factor * end};
   plot.y = {.label = "particle-steps [million/s]", .zero = true};
   int style = 0;
   for (const RunData& run : runs) {

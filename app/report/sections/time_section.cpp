@@ -20,7 +20,10 @@ Unit time_unit(const Runs& runs) {
 }
 
 Axis time_axis(const Runs& runs) {
-  return {.label = "time [" + time_unit(runs).name + "]", .zero = true};
+  double end = 0;
+  for (const RunData& run : runs) end = std::max(end, run.end());
+  const Unit unit = time_unit(runs);
+  return {.label = "time [" + unit.name + "]", .low = 0, .high = end > 0 ? end * unit.factor : 1};
 }
 
 /// The spans over which noisy rows are averaged: a gyration, or a twentieth of a shorter run [s].
@@ -34,7 +37,7 @@ std::string mean_words(const Runs& runs) {
     const auto gyration = gyration_time(run);
     return gyration && *gyration < run.end() / 3;
   });
-  return by_gyration ? "mean over each gyration" : "mean over each twentieth of the run";
+  return by_gyration ? "mean over one gyration" : "mean over a twentieth of the run";
 }
 
 /// A column of /series that a plot shows.
@@ -82,16 +85,17 @@ Curve curve_of(const RunData& run, const Column& column, const Unit& unit, const
 }
 
 Curve mean_curve(const RunData& run, const Column& column, const Unit& unit, const Unit& time, int style) {
-  const Points means = means_over(run.series->time(), column.part(0), mean_span(run));
+  const Points means = running_mean(run.series->time(), column.part(0), mean_span(run));
   return {.name = {}, .x = scaled(means.x, time.factor), .y = scaled(means.y, unit.factor), .style = style};
 }
 
 /// A plot of columns as they are. Several runs show the first column only, a curve for each run.
 std::string plain_plot(const Runs& runs, const std::string& title, const std::string& what,
-                       const std::vector<Shown>& shown, const std::string& note = "") {
+                       const std::vector<Shown>& shown, const std::string& note = "", bool zero = true) {
   const Unit unit = shown_unit(units_of(runs, shown), largest_of(runs, shown)), time = time_unit(runs);
   LinePlot plot = plot_of(runs, title, what, unit);
   plot.note = note;
+  plot.y.zero = zero;
   int style = 0;
   for (const RunData& run : runs)
     for (const Shown& s : shown) {
@@ -202,7 +206,7 @@ std::string mass_plots(const Runs& runs) {
 
 std::string time_section(const Runs& runs) {
   std::string figures = plain_plot(runs, "Speed of the eccentric", "speed", {{"eccentric_speed", ""}},
-                                   "The speed falls where the rock takes more than the motor gives.");
+                                   "The speed falls where the rock takes more than the motor gives.", false);
   figures += mean_plot(runs, "Torque of the motor at its shaft", "torque", {{"motor_torque", ""}}, "");
   figures += power_plot(runs);
   const bool discharge =

@@ -117,7 +117,7 @@ function cssColour(style, name) {
 }
 
 function start(view) {
-  const canvas = view.querySelector("canvas"), gl = canvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
+  const canvas = view.querySelector("canvas"), gl = canvas.getContext("webgl2", {alpha: false, preserveDrawingBuffer: true});
   if (!gl) return;
   const rock = program(gl, SPHERES), steel = program(gl, WALLS);
   const frames = [...view.querySelectorAll("script.frame")].map(decode);
