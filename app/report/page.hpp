@@ -8,7 +8,7 @@
 
 namespace gyro::report {
 
-/// A page with our style sheet and scripts inside, which needs no other file. It is well-formed XML as well.
+/// A page with our styles and scripts inside, which needs no other file. It is well-formed XML as well.
 /// @param content  HTML of the sections
 std::string html_page(std::string_view title, std::string_view subtitle, const std::string& content);
 

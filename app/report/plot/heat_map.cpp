@@ -98,7 +98,7 @@ std::string figure(const HeatMap& given) {
   const bool turn = map.x.back() - map.x.front() > 350 && map.x.back() - map.x.front() < 370;  // degrees
   if (turn)
     for (int degrees = 0; degrees <= 360; degrees += 90)
-      ticks.push_back({map.x.front() + degrees, number(map.x.front() + degrees)});
+      ticks.push_back({map.x.front() + degrees, tick_label(std::round(map.x.front() + degrees), 90)});
   else
     ticks = linear_ticks(map.x.front(), map.x.back());
   const std::string svg = "<rect class=\"nosurface\"" + attribute("x", left) + attribute("y", top) +

@@ -210,7 +210,7 @@ std::vector<Tick> ticks_of(const Axis& axis, const Scale& scale, int wanted) {
   if (!(axis.step > 0)) return linear_ticks(scale.low, scale.high, wanted);
   std::vector<Tick> ticks;
   for (double value = std::ceil(scale.low / axis.step) * axis.step; value <= scale.high; value += axis.step)
-    ticks.push_back({value, number(value)});
+    ticks.push_back({value, tick_label(value, axis.step)});
   return ticks;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Plots as inline SVG. Colours, light and dark, are those of the page's style sheet (page.css), by the classes c0 to
+/// Plots as inline SVG. Colours, light and dark, are those of page.css, by the classes c0 to
 /// c6; lines differ by their dashes as well.
 namespace gyro::report {
 
@@ -40,7 +40,7 @@ struct Area {
 struct Span {
   double from, to;
   std::string name;  ///< in the legend; empty: not in it
-  std::string kind;  ///< class of the style sheet: steady, unknown, coarse
+  std::string kind;  ///< class of page.css: steady, unknown, coarse
 };
 
 /// A vertical line with its name above.

@@ -9,10 +9,8 @@
 #include <cstdio>
 
 namespace gyro::report {
-namespace {
 
-/// A label with the decimals that the step needs.
-std::string label_of(double value, double step) {
+std::string tick_label(double value, double step) {
   constexpr double largest = 1e5, smallest = 1e-5;
   if (std::abs(value) >= largest || step < smallest) return value == 0 ? "0" : number(value);
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
@@ -23,8 +21,6 @@ std::string label_of(double value, double step) {
   return shown;
 }
 
-}  // namespace
-
 std::vector<Tick> linear_ticks(double low, double high, int wanted) {
   std::vector<Tick> ticks;
   if (!(high > low) || !std::isfinite(high - low)) return ticks;
@@ -34,7 +30,7 @@ std::vector<Tick> linear_ticks(double low, double high, int wanted) {
   const auto last = static_cast<long long>(std::floor(high / step + 1e-9));
   for (long long k = first; k <= last; ++k) {
     const double value = static_cast<double>(k) * step;
-    ticks.push_back({value, label_of(value, step)});
+    ticks.push_back({value, tick_label(value, step)});
   }
   return ticks;
 }
@@ -49,7 +45,7 @@ std::vector<Tick> log_ticks(double low, double high) {
       const double power = std::pow(10, decade), value = k * power;
       if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
       const bool labelled = k == 1 || (dense && (k == 2 || k == 5));
-      ticks.push_back({value, labelled ? label_of(value, power) : ""});
+      ticks.push_back({value, labelled ? tick_label(value, power) : ""});
     }
   return ticks;
 }

@@ -12,6 +12,9 @@ struct Tick {
   std::string label;  ///< empty: a small tick without a label
 };
 
+/// A number of an axis with the decimals that the step from tick to tick needs.
+std::string tick_label(double value, double step);
+
 /// Ticks at 1, 2 or 5 x 10^k, about `wanted` of them between low and high.
 std::vector<Tick> linear_ticks(double low, double high, int wanted = 6);
 
