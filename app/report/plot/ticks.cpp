@@ -60,7 +60,7 @@ Range widened(Range values, double margin) {
   if (!std::isfinite(values.low) || !std::isfinite(values.high)) return {0, 1};
   double width = values.high - values.low;
   if (!(width > 1e-12 * std::max(std::abs(values.low), std::abs(values.high))))
-    width = values.high != 0 ? std::abs(values.high) : 1;
+    width = values.high != 0 ? std::abs(values.high) : 1, margin = std::max(margin, 0.05);
   return {values.low == 0 ? 0 : values.low - margin * width, values.high == 0 ? 0 : values.high + margin * width};
 }
 

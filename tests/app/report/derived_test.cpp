@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/report/case_facts.hpp"
 #include "app/report/derived.hpp"
+#include "app/report/case_facts.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>

@@ -16,7 +16,7 @@ import xml.etree.ElementTree as tree
 from html.parser import HTMLParser
 from pathlib import Path
 
-GYROSIM, SOURCE = Path(sys.argv.pop(1)), Path(sys.argv.pop(1))
+GYROSIM, SOURCE = Path(sys.argv.pop(1)).resolve(), Path(sys.argv.pop(1)).resolve()
 CRUSH = SOURCE / "tests/app/cases/crush.yaml"
 XHTML = "{http://www.w3.org/1999/xhtml}"
 VOID = {"meta", "link", "br", "input"}
@@ -179,7 +179,7 @@ class PageTest(unittest.TestCase):
             "half of the results": lambda run: os.truncate(run / "results.h5", (run / "results.h5").stat().st_size // 2),
             "no HDF5": lambda run: (run / "results.h5").write_text("hello"),
             "half a snapshot": lambda run: os.truncate(run / "snapshots/particles_000000.vtp", 400),
-            "half a wall": lambda run: os.truncate(run / "snapshots/walls_fixed.vtp", 4000),
+            "half a wall": lambda run: os.truncate(run / "snapshots/walls_000000.vtp", 4000),
         }.items():
             with self.subTest(name):
                 run = self.place / "damaged"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/text.hpp"
 #include "app/report/headline.hpp"
 #include "app/report/page.hpp"
-#include "app/report/text.hpp"
 #include "tests/catch.hpp"
 
 #include <cmath>
@@ -67,6 +67,6 @@ TEST_CASE("The figures on top are those of the steady part with their errors if 
   s.steady = SteadyFigures{.from = 1, .crushing_power = {2500, 40}, .throughput_tph = {7, 0.2}};
   const std::vector<Headline> steady = headlines(s);
   CHECK(text_of(steady[0]) == "2.500 ± 0.040\u00a0kW");
-  CHECK(steady[0].about == "power from the gyrating walls to the rock, mean over the run");
+  CHECK(steady[0].about == "crushing power, mean since then");
   CHECK(text_of(steady[1]) == "7.00 ± 0.20\u00a0t/h");
 }

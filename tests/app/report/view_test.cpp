@@ -86,8 +86,9 @@ TEST_CASE("A fine mesh keeps its shape with fewer corners") {
   for (int i = 0; i <= rings; ++i)
     for (int j = 0; j < sectors; ++j) {
       const double angle = 2 * 3.14159265358979 * j / sectors;
-      tube.positions.insert(tube.positions.end(), {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)),
-                                                   static_cast<float>(2.0 * i / rings)});
+      tube.positions.insert(tube.positions.end(),
+                            {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)),
+                             static_cast<float>(2.0 * i / rings)});
     }
   for (std::uint32_t i = 0; i < rings; ++i)
     for (std::uint32_t j = 0; j < sectors; ++j) {
