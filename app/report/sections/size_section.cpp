@@ -117,6 +117,28 @@ void add_settings(const CaseFacts& facts, Content& content) {
   add("open side ", facts.open_setting);
 }
 
+/// Settings and resolution where they are the same for all runs; else a note says that they differ.
+void add_machine(const Runs& runs, Content& content) {
+  const RunData* first = nullptr;
+  bool same_settings = true, same_particles = true;
+  for (const RunData& run : runs) {
+    if (!run.product) continue;
+    if (!first) first = &run;
+    same_settings = same_settings && run.facts.closed_setting == first->facts.closed_setting &&
+                    run.facts.open_setting == first->facts.open_setting;
+    // Seeds change the sizes of particles by some percent.
+    constexpr double alike = 0.1;
+    const auto differs = [&](std::optional<double> a, std::optional<double> b) {
+      return a.has_value() != b.has_value() || (a && std::abs(*a - *b) > alike * *b);
+    };
+    same_particles = same_particles && !differs(run.product->resolution, first->product->resolution);
+  }
+  if (same_settings) add_settings(first->facts, content);
+  if (same_particles) add_resolution(*first->product, first->summary.fines ? "estimated" : "unknown", content);
+  if (!same_settings) content.plot.note += "The runs differ in their side settings, which are not drawn. ";
+  if (!same_particles) content.plot.note += "The runs differ in the sizes of their particles, which are not drawn. ";
+}
+
 std::string size_table(const Content& content) {
   std::vector<std::vector<std::string>> rows;
   const auto size = [](const SizeCurve& c, double share) {
@@ -153,13 +175,11 @@ std::string size_section(const Runs& runs) {
     add_runs(runs, content);
   const bool sieved = std::ranges::any_of(runs, [](const RunData& run) { return run.product.has_value(); });
   if (!sieved || content.rows.empty() || !(content.high > 0)) return "";
-  add_settings(runs.front().facts, content);
-  if (runs.front().product && !content.plot.curves.empty())
-    add_resolution(*runs.front().product, runs.front().summary.fines ? "estimated" : "unknown", content);
+  add_machine(runs, content);
   for (const Mark& mark : content.plot.marks) content.high = std::max(content.high, mark.x / 1e3);
   content.plot.x.low = 1e3 * content.low / 1.3;
   content.plot.x.high = 1e3 * content.high * 1.15;
-  content.plot.note =
+  content.plot.note +=
       "Dots mark P80, the size that 80 % of the mass passes. Rock is sieved through square openings; the "
       "feed is stated by the diameter of spheres of equal volume. Particles are the smallest pieces of "
       "the model: where a curve is dashed, it is incomplete or an estimate.";

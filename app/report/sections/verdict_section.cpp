@@ -70,8 +70,9 @@ std::string html_compared(const Headline* figure, const Headline* first) {
   if (!figure) return "–";
   std::string html = escape(text_of(*figure));
   if (!first || first == figure || first->value == 0) return html;
-  const double change = 100 * (figure->value / first->value - 1);
-  return html + "<br/><small>" + (change > 0 ? "+" : "") + number(change) + " %</small>";
+  const bool share = figure->units == "%";  // a change in percent of a percentage would be misread
+  const double change = share ? figure->value - first->value : 100 * (figure->value / first->value - 1);
+  return html + "<br/><small>" + (change > 0 ? "+" : "") + number(change, 2) + (share ? " points" : " %") + "</small>";
 }
 
 std::string comparison(const Runs& runs) {
@@ -106,7 +107,8 @@ std::string verdict_section(const Runs& runs) {
   std::string html = "<div class=\"verdicts\">";
   for (const RunData& run : runs) html += html_verdict(run, true);
   html +=
-      "</div>\n<p class=\"note\">Each figure with its difference from the first run in percent. Figures with ± are of "
+      "</div>\n<p class=\"note\">Each figure with its difference from the first run in percent, of shares in points of "
+      "percent. Figures with ± are of "
       "the steady part of a run; compare them with those of other steady runs only.</p>\n" +
       comparison(runs);
   for (const RunData& run : runs)
