@@ -102,7 +102,7 @@ void judge_laboratory(const RunData& run, Verdict& v) {
 
 void judge_energy(const Summary& s, Verdict& v) {
   constexpr double good = 0.01, guard = 0.05;
-  if (!s.energy_residual_fraction) return;
+  if (!s.energy_residual_fraction || *s.energy_residual_fraction == 0) return;  // 0: there is no rock
   const double residual = std::abs(*s.energy_residual_fraction);
   const std::string text = "The energy balance closes within " + percent(residual);
   if (residual <= good) {

@@ -38,13 +38,14 @@ std::vector<Tick> linear_ticks(double low, double high, int wanted) {
 std::vector<Tick> log_ticks(double low, double high) {
   std::vector<Tick> ticks;
   if (!(low > 0) || !(high > low) || !std::isfinite(high)) return ticks;
-  const bool dense = std::log10(high / low) <= 2.3;
+  const double decades = std::log10(high / low);
+  const bool dense = decades <= 2.3, denser = decades <= 0.9;
   const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::ceil(std::log10(high)));
   for (int decade = first; decade <= last; ++decade)
     for (int k = 1; k <= 9; ++k) {
       const double power = std::pow(10, decade), value = k * power;
       if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
-      const bool labelled = k == 1 || (dense && (k == 2 || k == 5));
+      const bool labelled = k == 1 || (dense && (k == 2 || k == 5)) || (denser && k != 7 && k != 9);
       ticks.push_back({value, labelled ? tick_label(value, power) : ""});
     }
   return ticks;

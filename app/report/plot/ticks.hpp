@@ -18,7 +18,8 @@ std::string tick_label(double value, double step);
 /// Ticks at 1, 2 or 5 x 10^k, about `wanted` of them between low and high.
 std::vector<Tick> linear_ticks(double low, double high, int wanted = 6);
 
-/// Ticks of a logarithmic axis: labels at 1, 2 and 5 x 10^k over up to two decades, at 10^k over more; small ticks at
+/// Ticks of a logarithmic axis: labels at 1, 2 and 5 x 10^k over up to two decades, at 10^k over more, at
+/// more multiples over less than one; small ticks at
 /// the other whole multiples. @param low  > 0
 std::vector<Tick> log_ticks(double low, double high);
 

@@ -32,11 +32,11 @@ std::string html_trust(const RunData& run) {
 std::string html_tile(const Headline& f) {
   const Unit unit = shown_unit(f.units, f.value);
   std::string html = "<div class=\"tile\" title=\"" + escape(f.about) + "\"><p class=\"what\">" + escape(f.label) +
-                     "</p><p class=\"big\">" + number(f.value * unit.factor) + "<small> " + escape(unit.name) +
+                     "</p><p class=\"big\">" + number(f.value * unit.factor) + " <small>" + escape(unit.name) +
                      "</small></p>";
-  if (f.error)
-    html += "<p class=\"error\">± " + number(*f.error * unit.factor, 2) + " " + escape(unit.name) + " (" +
-            number(100 * *f.error / std::abs(f.value), 2) + " %)</p>";
+  if (f.error && *f.error > 0)
+    html += "<p class=\"error\">± " + number(*f.error * unit.factor, 2) + " " + escape(unit.name) +
+            (f.value != 0 ? " (" + number(100 * *f.error / std::abs(f.value), 2) + " %)" : "") + "</p>";
   return html + "</div>";
 }
 
