@@ -3,6 +3,7 @@
 
 #include "app/report/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gyro::report {
@@ -61,17 +62,18 @@ void judge_machine(const RunData& run, Verdict& v) {
   }
   v.tone = Tone::caution;
   v.headline = "A start-up of " + gyrations_text(run) + ": no steady figures";
-  v.lead =
-      "The figures below are means over the whole run. They show that the parts work together; they are no forecast "
-      "of the machine.";
+  v.lead = "The figures below are means over the whole run and no forecast of the machine in operation.";
   if (s.not_steady) v.trust.push_back("Why it is not steady: " + *s.not_steady + ".");
 }
 
 void judge_trouble(const Summary& s, Verdict& v) {
   if (s.stalled.value_or(false)) {
+    const auto stall = std::ranges::find(s.drive_events, "stall", &DriveHappening::what);
     v.tone = Tone::bad;
-    v.headline = "Stalled: " + v.headline;
-    v.trust.insert(v.trust.begin(), "The rock stopped the drive. Power and throughput include the time at standstill.");
+    v.headline = "Stalled" + (stall == s.drive_events.end() ? "" : " at " + quantity(stall->time, "s")) +
+                 ": the rock stopped the drive";
+    v.trust.insert(v.trust.begin(),
+                   "Power and throughput are means over the whole run, with the time after the stall.");
   }
   if (s.choked.value_or(false)) {
     if (v.tone == Tone::good) v.tone = Tone::caution;

@@ -91,11 +91,10 @@ Curve mean_curve(const RunData& run, const Column& column, const Unit& unit, con
 
 /// A plot of columns as they are. Several runs show the first column only, a curve for each run.
 std::string plain_plot(const Runs& runs, const std::string& title, const std::string& what,
-                       const std::vector<Shown>& shown, const std::string& note = "", bool zero = true) {
+                       const std::vector<Shown>& shown, const std::string& note = "") {
   const Unit unit = shown_unit(units_of(runs, shown), largest_of(runs, shown)), time = time_unit(runs);
   LinePlot plot = plot_of(runs, title, what, unit);
   plot.note = note;
-  plot.y.zero = zero;
   int style = 0;
   for (const RunData& run : runs)
     for (const Shown& s : shown) {
@@ -135,7 +134,6 @@ std::string mean_plot(const Runs& runs, const std::string& title, const std::str
   return has_points(plot) ? figure(plot) : "";
 }
 
-/// The mean of the steady part with its standard error, as a line with a band.
 std::string power_plot(const Runs& runs) {
   const bool one = runs.size() == 1;
   return mean_plot(
@@ -146,6 +144,38 @@ std::string power_plot(const Runs& runs) {
                                                                  runs.front().summary.steady->crushing_power.error) +
                                                " W."
                                          : "");
+}
+
+/// The events of the drive by their numbers in the list of the first section; those close to each other share a mark.
+std::vector<Mark> event_marks(const RunData& run, const Unit& time) {
+  constexpr double near = 0.03;  // of the run
+  constexpr std::size_t most = 12;
+  std::vector<Mark> marks;
+  const auto& events = run.summary.drive_events;
+  for (std::size_t k = 0; k < events.size() && events.size() <= most; ++k) {
+    const double at = time.factor * events[k].time;
+    if (!marks.empty() && at - marks.back().x < near * time.factor * run.end())
+      marks.back().name += ", " + std::to_string(k + 1);
+    else
+      marks.push_back({at, std::to_string(k + 1)});
+  }
+  return marks;
+}
+
+std::string speed_plot(const Runs& runs) {
+  const Unit unit = shown_unit("rad/s", 0), time = time_unit(runs);
+  LinePlot plot = plot_of(runs, "Speed of the eccentric", "speed", unit);
+  plot.y.zero = false;
+  plot.note = "The speed falls where the rock takes more than the motor gives.";
+  int style = 0;
+  for (const RunData& run : runs)
+    if (const Column* speed = column_of(run, "eccentric_speed")) {
+      plot.curves.push_back(curve_of(run, *speed, unit, time, style++ % styles));
+      if (runs.size() > 1) plot.curves.back().name = run.name;
+    }
+  if (runs.size() == 1) plot.marks = event_marks(runs.front(), time);
+  if (!plot.marks.empty()) plot.note += " Numbers: events of the drive, listed under the results.";
+  return has_points(plot) ? figure(plot) : "";
 }
 
 std::string bond_plot(const Runs& runs) {
@@ -205,8 +235,7 @@ std::string mass_plots(const Runs& runs) {
 }  // namespace
 
 std::string time_section(const Runs& runs) {
-  std::string figures = plain_plot(runs, "Speed of the eccentric", "speed", {{"eccentric_speed", ""}},
-                                   "The speed falls where the rock takes more than the motor gives.", false);
+  std::string figures = speed_plot(runs);
   figures += mean_plot(runs, "Torque of the motor at its shaft", "torque", {{"motor_torque", ""}}, "");
   figures += power_plot(runs);
   const bool discharge =

@@ -43,8 +43,8 @@ std::string html_tile(const Headline& f) {
 std::string html_events(const RunData& run) {
   std::vector<std::vector<std::string>> rows;
   for (const DriveHappening& event : run.summary.drive_events)
-    rows.push_back({quantity(event.time, "s"), escape(event.what)});
-  return rows.empty() ? "" : "<h3>What happened to the drive</h3>\n" + html_table({"Time", "Event"}, rows);
+    rows.push_back({count(static_cast<std::int64_t>(rows.size()) + 1), quantity(event.time, "s"), escape(event.what)});
+  return rows.empty() ? "" : "<h3>What happened to the drive</h3>\n" + html_table({"No.", "Time", "Event"}, rows);
 }
 
 std::string one_run(const RunData& run) {

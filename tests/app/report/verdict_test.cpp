@@ -53,7 +53,9 @@ TEST_CASE("What went wrong comes first") {
   CHECK(verdict(run).tone == Verdict::Tone::caution);
   run.summary.stalled = true;
   CHECK(verdict(run).tone == Verdict::Tone::bad);
-  CHECK_THAT(verdict(run).headline, Contains("Stalled"));
+  CHECK(verdict(run).headline == "Choked: Stalled: the rock stopped the drive");
+  run.summary.drive_events = {{0.5, "stall"}, {0.7, "under-speed trip"}};
+  CHECK_THAT(verdict(run).headline, Contains("Stalled at 0.500\u00a0s"));
   run.summary.status = RunStatus::interrupted;
   run.summary.reason = "signal 15";
   CHECK_THAT(verdict(run).headline, Catch::Matchers::StartsWith("Interrupted"));
