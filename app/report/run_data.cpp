@@ -139,6 +139,9 @@ void name_runs(std::vector<RunData>& runs) {
   for (const RunData& run : runs) ++uses[run.name];
   for (RunData& run : runs)
     if (uses[run.name] > 1) run.name = run.directory.lexically_normal().string();
+  std::map<std::string, int> before;  // a directory that is given twice
+  for (RunData& run : runs)
+    if (const int number = ++before[run.name]; number > 1) run.name += " (" + std::to_string(number) + ")";
 }
 
 }  // namespace gyro::report

@@ -13,6 +13,8 @@
 namespace gyro::report {
 namespace {
 
+constexpr int smallest_exponent = -3, largest_exponent = 5;  ///< of ten, without "× 10"
+
 std::string fixed(double value, int decimals) {
   std::array<char, 64> text;
   std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
@@ -75,22 +77,25 @@ std::string escape(std::string_view text) {
 }
 
 std::string number(double value, int digits) {
-  constexpr int smallest = -3, largest = 5;  // exponents of ten without "× 10"
   if (!std::isfinite(value)) return "–";
   if (value == 0) return "0";
   const int exponent = exponent_of(value, digits);
-  if (exponent < smallest || exponent >= largest)
+  if (exponent < smallest_exponent || exponent >= largest_exponent)
     return fixed(value / std::pow(10, exponent), digits - 1) + "\u00a0×\u00a010" + superscript(exponent);
   const double step = std::pow(10, exponent - digits + 1);
   return fixed(std::round(value / step) * step, std::max(0, digits - 1 - exponent));
 }
 
 std::string number_with_error(double value, double error) {
+  constexpr double negligible = 1e-6;
   if (!std::isfinite(value)) return "–";
-  if (!std::isfinite(error) || error <= 0) return number(value);
-  const int exponent = exponent_of(error, 2);
-  if (exponent < -6 || exponent >= 4) return number(value) + " ± " + number(error, 2);
-  const int decimals = std::max(0, 1 - exponent);
+  if (!std::isfinite(error) || error <= negligible * std::abs(value)) return number(value);
+  const int larger = exponent_of(std::max(std::abs(value), error), 3);
+  if (larger < smallest_exponent || larger >= largest_exponent) {
+    const double power = std::pow(10, larger);
+    return "(" + number_with_error(value / power, error / power) + ")\u00a0×\u00a010" + superscript(larger);
+  }
+  const int decimals = std::max(0, 1 - exponent_of(error, 2));
   return fixed(value, decimals) + " ± " + fixed(error, decimals);
 }
 

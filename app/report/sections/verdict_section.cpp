@@ -34,7 +34,7 @@ std::string html_tile(const Headline& f) {
   std::string html = "<div class=\"tile\" title=\"" + escape(f.about) + "\"><p class=\"what\">" + escape(f.label) +
                      "</p><p class=\"big\">" + number(f.value * unit.factor) + " <small>" + escape(unit.name) +
                      "</small></p>";
-  if (f.error && *f.error > 0)
+  if (f.error && *f.error > 1e-6 * std::abs(f.value))
     html += "<p class=\"error\">± " + number(*f.error * unit.factor, 2) + " " + escape(unit.name) +
             (f.value != 0 ? " (" + number(100 * *f.error / std::abs(f.value), 2) + " %)" : "") + "</p>";
   return html + "</div>";

@@ -72,4 +72,7 @@ TEST_CASE("Runs with the same name on one page get their paths as names") {
   CHECK(runs[0].name == "/a/r");
   CHECK(runs[1].name == "/b/r");
   CHECK(runs[2].name == "other");
+  runs[0].directory = runs[1].directory = "/b/r/";
+  name_runs(runs);
+  CHECK(runs[0].name != runs[1].name);
 }

@@ -34,6 +34,9 @@ TEST_CASE("Numbers have three significant figures") {
   CHECK(number_with_error(27.8618, 0.4123) == "27.86 ± 0.41");
   CHECK(number_with_error(1234.5, 56.7) == "1234 ± 57");
   CHECK(number_with_error(5, 0) == "5.00");
+  CHECK(number_with_error(100, 3.3e-14) == "100");
+  CHECK(number_with_error(1.56e-5, 4.1e-6) == "(1.56 ± 0.41)\u00a0×\u00a010⁻⁵");
+  CHECK(number_with_error(0, 2e-7) == "(0.0 ± 2.0)\u00a0×\u00a010⁻⁷");
   CHECK(count(1234567) == "1\u202f234\u202f567");
   CHECK(count(-12) == "−12");
 }
