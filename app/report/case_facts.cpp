@@ -85,8 +85,6 @@ CaseFacts case_facts(const std::string& yaml, const std::filesystem::path& file)
     facts.feed.reset();
   }
   facts.wear_coefficient = number_at(root, {"output", "liners", "wear_coefficient"});
-  if (const YamlNode* fines = at(root, {"output", "fines"}); fines && !fines->entries.empty())
-    facts.fines_law = fines->entries.front().key;
   read_wall_friction(root, facts);
   return facts;
 }

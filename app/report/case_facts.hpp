@@ -16,7 +16,6 @@ struct CaseFacts {
   std::optional<SizeLaw> feed;                         ///< sizes of rocks as fed, by equal-volume diameter
   std::optional<double> wear_coefficient;              ///< of output.liners [1/Pa]
   std::map<std::string, double> wall_friction;         ///< of rock on each wall, by its name [-]
-  std::string fines_law;                               ///< breakage, gates_gaudin_schuhmann
 };
 
 /// @param yaml  resolved case, of which all numbers are SI

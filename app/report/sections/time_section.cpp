@@ -43,7 +43,6 @@ std::string mean_words(const Runs& runs) {
 /// A column of /series that a plot shows.
 struct Shown {
   std::string name, label;
-  double sign = 1;
 };
 
 const Column* column_of(const RunData& run, const std::string& name) {

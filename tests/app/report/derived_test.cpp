@@ -40,7 +40,6 @@ TEST_CASE("The facts of a case are read from its resolved text") {
   CHECK(facts.open_setting.value() == Approx(0.16));
   CHECK(facts.wear_coefficient.value() == 1e-12);
   CHECK(facts.wall_friction.at("mantle") == 0.7);
-  CHECK(facts.fines_law == "breakage");
   const auto feed = feed_curve(facts);
   REQUIRE(feed);
   CHECK(passing_size(*feed, 0.8).value() == Approx(0.26).epsilon(1e-3));
