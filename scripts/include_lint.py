@@ -60,6 +60,7 @@ ALLOWED = {
     "io/hdf5": ("core/base/", "io/hdf5/"),
     "io/mesh": (*DATA, "io/files/", "io/mesh/"),
     "io/run": (*DATA, "mbd/", "io/files/", "io/hdf5/", "io/run/"),
+    "io/fields": (*DATA, "io/hdf5/", "io/run/", "io/fields/"),
     "io/rocks": (*DATA, "io/files/", "io/mesh/", "io/hdf5/", "io/run/", "io/rocks/"),
     "app": (*PROGRAM, "app/"),
     "app/simulation": ("core/", "mbd/", "gpu/", "app/simulation/"),  # a library: no case files, no output files

@@ -36,7 +36,7 @@ class LintTest(unittest.TestCase):
 CORE = "base math scene surfaces laws state kernels exec dem geometry rocks fragments walls feed"
 ENGINE = "base math scene surfaces laws state kernels exec dem"
 DATA = "base math scene surfaces geometry rocks fragments walls feed"
-IO = "io/files io/yaml io/case io/schema io/fmu io/hdf5 io/mesh io/run io/rocks"
+IO = "io/files io/yaml io/case io/schema io/fmu io/hdf5 io/mesh io/run io/fields io/rocks"
 ARROWS = {
     "base": "base",
     "math": "base math",
@@ -62,6 +62,7 @@ ARROWS = {
     "io/hdf5": "base io/hdf5",
     "io/mesh": f"{DATA} io/files io/mesh",
     "io/run": f"{DATA} mbd io/files io/hdf5 io/run",
+    "io/fields": f"{DATA} io/hdf5 io/run io/fields",
     "io/rocks": f"{DATA} io/files io/mesh io/hdf5 io/run io/rocks",
     "app/simulation": f"{CORE} gpu mbd app/simulation",
     "app/assembly": f"{CORE} gpu mbd {IO} app/simulation app/assembly",

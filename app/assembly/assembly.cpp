@@ -195,7 +195,6 @@ const std::vector<double>& sieves_of(const Case& input) {
 }
 
 Assembly assemble(const Case& input, const AssemblyRequest& request) {
-  if (input.output.hdf5) throw BadKey("output.formats", "snapshots in hdf5 are not available in this version; use vtp");
   if (input.drivetrain) blaming("drivetrain", [&] { check_drivetrain(*input.drivetrain); });
   const double end = request.until.value_or(input.time.duration);
   Assembly out;

@@ -87,6 +87,8 @@ void add_run(CLI::App& command, RunArguments& a) {
                   "stop after this much wall-clock time")
       ->type_name("TIME");
   command.add_flag("--quiet", a.quiet, "no progress and no summary");
+  command.add_flag("--progress-json", a.json_progress,
+                   "progress as lines of JSON on standard error, for programs that start runs");
 }
 
 void add_bench_accuracy(CLI::App& command, BenchAccuracyArguments& a) {

@@ -37,7 +37,7 @@ struct RunArguments {
   std::optional<std::filesystem::path> out;
   std::string device = "auto";  ///< auto, cpu or cuda
   int threads = 0;              ///< 0: all cores
-  bool resume = false, overwrite = false, quiet = false;
+  bool resume = false, overwrite = false, quiet = false, json_progress = false;
   std::optional<double> until, max_walltime;  ///< [s]
   std::optional<double> steady;               ///< --until steady: relative standard error at which the run ends [-]
 };

@@ -86,7 +86,8 @@ int run_command(const RunArguments& arguments) {
   options.steady = arguments.steady;
   options.max_walltime = arguments.max_walltime;
   options.quiet = arguments.quiet;
-  if (!arguments.quiet) options.library_progress = LibraryWait();
+  options.json_progress = arguments.json_progress;
+  if (!arguments.quiet && !arguments.json_progress) options.library_progress = LibraryWait();
   const RunDirectory directory = find_run_directory(options.directory);
   if (nothing_to_do(arguments, *input, directory, options.end)) return exit_done;
   std::optional<CaseRun> run;

@@ -69,12 +69,14 @@ RunOutput::RunOutput(const Case& input, const Assembly& assembly, const CaseReco
       maps_(input, assembly),
       require_own_(std::move(require_own)),
       results_(saved ? ResultsFile(directory / "results.h5", content(record), saved_marks(*saved))
-                     : ResultsFile(directory / "results.h5", content(record))),
-      snapshots_(directory, state_.snapshot_times) {
+                     : ResultsFile(directory / "results.h5", content(record))) {
+  if (input.output.vtp) snapshots_.emplace(directory, state_.snapshot_times);
+  if (input.output.hdf5) fields_.emplace(directory, state_.snapshot_times);
   if (input.output.fines) with_fines_.emplace();
   if (!saved) return;
   rows_.restore(*saved);
   maps_.restore(*saved);
+  history_ = FragmentHistory(saved->get_one<FragmentHistory::State>("fragment_history"));
   gyrations_.restore(*saved);
   if (with_fines_) with_fines_->restore(*saved, with_fines_name);
   motor_.restore(*saved);
@@ -139,15 +141,30 @@ void RunOutput::write_snapshot(const Simulation& simulation) {
   const auto frame = std::make_shared<Frame>();
   frame->time = simulation.time();
   frame->particles = simulation.dem().particles();
-  if (input_.bonds) frame->bonds = simulation.dem().bonds();
+  if (input_.bonds) {
+    frame->bonds = simulation.dem().bonds();
+    frame->fragments = history_.look(frame->time, simulation.fragments_inside(), frame->particles);
+  }
   add_walls(*frame, simulation);
   writer_.add([this, frame] {
     require_own_();
-    snapshots_.write_fixed(frame->fixed);
-    snapshots_.write({frame->time, &frame->particles, frame->bonds ? &*frame->bonds : nullptr, frame->walls});
+    write_files(*frame);
   });
   state_.snapshot_times.push_back(frame->time);
   ++state_.frames;
+}
+
+void RunOutput::write_files(const Frame& frame) {
+  const SnapshotFrame written{frame.time, &frame.particles, frame.bonds ? &*frame.bonds : nullptr, frame.walls,
+                              frame.fragments ? &*frame.fragments : nullptr};
+  if (snapshots_) {
+    snapshots_->write_fixed(frame.fixed);
+    snapshots_->write(written);
+  }
+  if (fields_) {
+    fields_->take_fixed(frame.fixed);
+    fields_->write(written);
+  }
 }
 
 void RunOutput::add_walls(Frame& frame, const Simulation& simulation) {
@@ -180,6 +197,7 @@ void RunOutput::save(SavedState& to) const {
   }
   rows_.save(to);
   maps_.save(to);
+  to.put_one("fragment_history", history_.state());
   gyrations_.save(to);
   if (with_fines_) with_fines_->save(to, with_fines_name);
   motor_.save(to);

@@ -7,6 +7,7 @@
 #include "app/output/motor_rows.hpp"
 #include "app/output/rows.hpp"
 #include "app/simulation/simulation.hpp"
+#include "io/fields/fields_file.hpp"
 #include "io/run/results.hpp"
 #include "io/run/snapshots.hpp"
 #include "io/run/writer_thread.hpp"
@@ -20,8 +21,7 @@
 namespace gyro {
 
 /// The files that a run writes while it runs: results.h5 and the snapshots. Only parts that the case has get output.
-/// Snapshots are written by a thread of their own, so that compressing them takes no time of the run. HDF5 is called
-/// by the thread of the run alone, because its library is not safe for threads.
+/// Snapshots are written by a thread of their own, so that compressing them takes no time of the run.
 class RunOutput {
  public:
   /// Throws if the directory is another run's now. It is called by the thread that writes snapshots, before each,
@@ -80,14 +80,15 @@ class RunOutput {
     }
   };
 
-  /// A snapshot with all that its files need: 124 bytes a particle and 32 a bond, and the moved walls. At most two
-  /// exist: one that is written, for which its writer has one file at a time as 32-bit numbers as well, and one that
-  /// waits or is being made.
+  /// A snapshot with all that its files need: 124 bytes a particle, 32 a bond, 128 a fragment, and the moved walls. At
+  /// most two exist: one that is written, for which its writer has one file at a time as 32-bit numbers as well, and
+  /// one that waits or is being made.
   struct Frame {
     double time;  ///< [s]
     ParticleSnapshot particles;
     std::optional<BondSnapshot> bonds;
     std::vector<PosedWall> walls;
+    std::optional<FragmentSnapshot> fragments;
     std::vector<PosedWall> fixed;  ///< only in the first frame of this process
   };
 
@@ -96,6 +97,7 @@ class RunOutput {
   void note_drive(const WindowResult& result, const Simulation& simulation);
   void write_row(const Simulation& simulation);
   void write_snapshot(const Simulation& simulation);
+  void write_files(const Frame& frame);
   void add_walls(Frame& frame, const Simulation& simulation);
 
   const Case& input_;
@@ -104,13 +106,15 @@ class RunOutput {
   RowWriter rows_;
   LinerMaps maps_;
   RequireOwn require_own_;
+  FragmentHistory history_;
   bool lost_ = false;         ///< a number was not finite
   bool fixed_given_ = false;  ///< the writer has the walls that are the same in all frames
   GyrationReader gyrations_;
   std::optional<GyrationReader> with_fines_;
   MotorRows motor_;
   ResultsFile results_;
-  SnapshotWriter snapshots_;  ///< used by the writer's thread only
+  std::optional<SnapshotWriter> snapshots_;  ///< output.formats has vtp; used by the writer's thread only
+  std::optional<FieldsFile> fields_;         ///< the same for hdf5
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   WriterThread writer_;  ///< ends first: its jobs use the members above
 };

@@ -130,7 +130,9 @@ bool CaseRun::must_give_up(double share_done) const {
 
 void CaseRun::loop(Summary& summary) {
   Simulation& simulation = *simulation_;
-  Progress progress(progress_state(), options_.end, ProgressStyle::for_stderr(options_.quiet));
+  ProgressStyle style = ProgressStyle::for_stderr(options_.quiet);
+  if (options_.json_progress) style.form = ProgressStyle::Form::json;
+  Progress progress(progress_state(), options_.end, style);
   if (!resumed_) output_.begin(simulation);
   checkpoints_.keep_if_due(simulation, output_);
   if (simulation.unsaveable().empty())  // else nothing could be continued

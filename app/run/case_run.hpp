@@ -26,6 +26,7 @@ struct RunOptions {
   std::optional<double> max_walltime;     ///< [s]
   LibraryProgress library_progress = {};  ///< empty, or told of each rock of the library
   bool quiet = false;                     ///< prints neither progress nor summary
+  bool json_progress = false;             ///< progress as JSON
 };
 
 /// One run of a case, from its first to its last window: the loop, with output, checkpoints, log and summary.

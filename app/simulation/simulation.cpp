@@ -183,6 +183,11 @@ void Simulation::insert(std::span<const NewRock> rocks) {
   for (const NewRock& rock : rocks) {
     state_.particles_inserted += static_cast<std::int64_t>(rock.particles.size());
     if (setup_.scene.bonds) state_.bonds_inserted += static_cast<std::int64_t>(rock.bonds.size());
+    if (rock.id != none) {
+      const auto number = static_cast<std::size_t>(rock.id);
+      if (state_.rock_fed.size() <= number) state_.rock_fed.resize(number + 1);
+      state_.rock_fed[number] = time();
+    }
     for (const NewParticle& p : rock.particles)
       state_.mass_inside += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
   }
@@ -225,7 +230,10 @@ void Simulation::inspect() {
 /// Counts what has left the chamber, analyses what has not, and removes what lies far below the discharge plane.
 void Simulation::count_product(const ParticleSnapshot& particles, const FragmentTable& table) {
   std::vector<FragmentRecord> left = product_->update(table, particles);
-  for (FragmentRecord& fragment : left) fragment.time = time();
+  for (FragmentRecord& fragment : left) {
+    fragment.time = time();
+    fragment.fed = fed_at(fragment.rock);
+  }
   hold_up_->update(table, particles, *product_);
   if (fines_) fines_->update(table, particles, left, *product_, *hold_up_);
   left_.insert(left_.end(), left.begin(), left.end());
@@ -248,8 +256,14 @@ std::vector<FragmentRecord> Simulation::fragments_inside() const {
       continue;
     inside.push_back(record_of(table, row, particles, rock_density_));
     inside.back().time = time();
+    inside.back().fed = fed_at(inside.back().rock);
   }
   return inside;
+}
+
+double Simulation::fed_at(RockId rock) const {
+  const auto number = static_cast<std::size_t>(rock);
+  return rock != none && number < state_.rock_fed.size() ? state_.rock_fed[number] : 0;
 }
 
 double Simulation::discharged_mass() const {

@@ -117,6 +117,7 @@ class Simulation {
     std::int64_t inspections = 0;  ///< that were due so far
     std::int64_t particles_inserted = 0, bonds_inserted = 0, fragments = 0;
     double start_mass = 0, mass_inside = 0, largest_fragment = 0;  ///< [kg]
+    std::vector<double> rock_fed;                                  ///< time at which each rock came, by its number [s]
 
     template <class F, class S>
     static constexpr void for_each_field(F&& f, S& s) {
@@ -131,6 +132,7 @@ class Simulation {
       f("start_mass", s.start_mass);
       f("mass_inside", s.mass_inside);
       f("largest_fragment", s.largest_fragment);
+      f("rock_fed", s.rock_fed);
     }
   };
 
@@ -145,6 +147,7 @@ class Simulation {
   void close_balances(const WindowResult& result);
   void open_balances();
   bool inspection_due() const;
+  double fed_at(RockId rock) const;  ///< time at which a rock came [s]; 0 of spheres that belong to no rock
   void count_product(const ParticleSnapshot& particles, const FragmentTable& table);
   MassCount mass_count(std::int64_t inside) const;
 

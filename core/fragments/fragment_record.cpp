@@ -13,6 +13,10 @@ FragmentRecord record_of(const FragmentTable& table, std::size_t row, const Part
   record.mass = f.mass;
   record.size = sieve_size(table, row, particles, rock_density);
   record.position = f.centre;
+  for (const Index member : table.members_of(row)) {
+    const auto n = static_cast<std::size_t>(member);
+    record.velocity += particles.mass[n] / f.mass * particles.velocity[n];
+  }
   return record;
 }
 

@@ -18,10 +18,12 @@ struct FragmentRecord {
   double mass = 0;           ///< [kg]
   double size = 0;           ///< sieve size [m]
   Vec3d position{0, 0, 0};   ///< centre of mass [m]
+  Vec3d velocity{0, 0, 0};   ///< of the centre of mass [m/s]
+  double fed = 0;            ///< time at which its rock came into the scene [s]
   Place place = in_chamber;  ///< where it is
 };
 
-/// The record of a row of the table, without time and place. @param rock_density  of solid rock [kg/m3]
+/// The record of a row of the table, without time, place and `fed`. @param rock_density  of solid rock [kg/m3]
 FragmentRecord record_of(const FragmentTable& table, std::size_t row, const ParticleSnapshot& particles,
                          double rock_density);
 

@@ -39,15 +39,25 @@ Rows select_rows(const Handle& dataset, const std::string& where, hsize_t first,
 Dataset::Dataset(Handle handle, std::string where) : handle_(std::move(handle)), where_(std::move(where)) {}
 
 std::int64_t Dataset::rows() const {
+  const InLibrary in_library;
   return static_cast<std::int64_t>(extent_of(handle_, where_).size[0]);
 }
 
 std::int64_t Dataset::columns() const {
+  const InLibrary in_library;
   return static_cast<std::int64_t>(extent_of(handle_, where_).size[1]);
 }
 
+std::int64_t Dataset::chunk_rows() const {
+  const InLibrary in_library;
+  const Handle creation = own(H5Dget_create_plist(handle_.get()), where_, "read the chunks");
+  std::array<hsize_t, 2> chunk{};
+  check(H5Pget_chunk(creation.get(), 2, chunk.data()), where_, "read the chunks");
+  return static_cast<std::int64_t>(chunk[0]);
+}
+
 Number Dataset::number() const {
-  silence_library();
+  const InLibrary in_library;
   const Handle type = own(H5Dget_type(handle_.get()), where_, "read the type");
   for (const Number number :
        {Number::float32, Number::float64, Number::uint8, Number::int32, Number::uint32, Number::int64})
@@ -57,7 +67,7 @@ Number Dataset::number() const {
 
 void Dataset::append(const void* values, std::size_t total, Number in_memory) {
   if (total == 0) return;
-  silence_library();
+  const InLibrary in_library;
   Extent extent = extent_of(handle_, where_);
   if (total % extent.size[1] != 0) throw std::logic_error(where_ + ": not a whole number of rows");
   const hsize_t before = extent.size[0], added = total / extent.size[1];
@@ -68,26 +78,34 @@ void Dataset::append(const void* values, std::size_t total, Number in_memory) {
         where_, "write");
 }
 
-void Dataset::truncate(std::int64_t rows) {
-  silence_library();
+void Dataset::write_row(std::int64_t row, std::span<const double> values) {
+  const InLibrary in_library;
+  if (row == rows()) return append(values);
+  const Rows at = select_rows(handle_, where_, static_cast<hsize_t>(row), 1);
+  check(H5Dwrite(handle_.get(), H5T_NATIVE_DOUBLE, at.in_memory.get(), at.in_file.get(), H5P_DEFAULT, values.data()),
+        where_, "write");
+}
+
+void Dataset::resize(std::int64_t rows) {
+  const InLibrary in_library;
   Extent extent = extent_of(handle_, where_);
   extent.size[0] = static_cast<hsize_t>(rows);
-  check(H5Dset_extent(handle_.get(), extent.size.data()), where_, "shorten");
+  check(H5Dset_extent(handle_.get(), extent.size.data()), where_, "resize");
 }
 
 void Dataset::flush() {
-  silence_library();
+  const InLibrary in_library;
   check(H5Dflush(handle_.get()), where_, "write");
 }
 
 void Dataset::read(void* values, std::size_t count, Number in_memory) const {
-  silence_library();
+  const InLibrary in_library;
   if (count > 0)
     check(H5Dread(handle_.get(), memory_type(in_memory), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), where_, "read");
 }
 
 std::vector<double> Dataset::read_rows(std::int64_t first, std::int64_t count) const {
-  silence_library();
+  const InLibrary in_library;
   std::vector<double> values(static_cast<std::size_t>(count * columns()));
   if (values.empty()) return values;
   const Rows rows = select_rows(handle_, where_, static_cast<hsize_t>(first), static_cast<hsize_t>(count));
@@ -98,7 +116,7 @@ std::vector<double> Dataset::read_rows(std::int64_t first, std::int64_t count) c
 }
 
 void Dataset::set_attribute(std::string_view name, std::string_view value) {
-  silence_library();
+  const InLibrary in_library;
   const Handle type = string_type();
   const Handle space = own(H5Screate(H5S_SCALAR), where_, "make an attribute");
   const Handle attribute =
@@ -110,7 +128,7 @@ void Dataset::set_attribute(std::string_view name, std::string_view value) {
 }
 
 std::string Dataset::string_attribute(std::string_view name) const {
-  silence_library();
+  const InLibrary in_library;
   const Handle attribute =
       own(H5Aopen(handle_.get(), std::string(name).c_str(), H5P_DEFAULT), where_, "read the attribute");
   return read_string(attribute, where_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -11,7 +12,8 @@
 #include <vector>
 
 /// Thin owner types for the serial HDF5 C API. Every failure throws gyro::OutputError with the path and the reason.
-/// Every handle is closed by its owner.
+/// Every handle is closed by its owner. Threads may use different files at the same time: they take turns in the
+/// library, which need not be built for threads.
 namespace gyro::hdf5 {
 
 /// An HDF5 identifier that is released with this object.
@@ -45,18 +47,25 @@ constexpr Number number_of() {
   return std::is_signed_v<T> ? Number::int32 : Number::uint32;
 }
 
+std::size_t size_of(Number number);  ///< [bytes]
+
 /// A table of numbers, rows x columns. A table with one column is one-dimensional.
 class Dataset {
  public:
   Dataset(Handle handle, std::string where);
   std::int64_t rows() const;
   std::int64_t columns() const;
+  std::int64_t chunk_rows() const;
   /// Adds rows at the end. @param values  row after row; a whole number of rows
   void append(std::span<const double> values) { append(values.data(), values.size(), Number::float64); }
   /// The same for numbers of any type. @param count  of numbers
   void append(const void* values, std::size_t count, Number in_memory);
+  /// Overwrites one row, or adds it behind the last one. @param values  of all columns
+  void write_row(std::int64_t row, std::span<const double> values);
   /// Removes all rows after the first `rows`.
-  void truncate(std::int64_t rows);
+  void truncate(std::int64_t rows) { resize(rows); }
+  /// Removes rows at the end, or adds rows of zeros there.
+  void resize(std::int64_t rows);
   /// Passes everything that was appended to the operating system.
   void flush();
   /// Type of the numbers in the file.
@@ -99,9 +108,14 @@ class File {
   /// Opens for reading a file that nobody is writing. A damaged file is refused at once, while open() would read it
   /// again several times in case a writer had not finished.
   static File open_closed(const std::filesystem::path& path);
-  /// Opens a file for changes. It may be a closed file, or one whose writer was killed.
+  /// Opens a file for changes, whoever is reading it. It may be a closed file, or one whose writer was killed.
   /// @param name  path for messages, if `path` is a copy that will replace the file of this name; empty: `path`
   static File modify(const std::filesystem::path& path, const std::filesystem::path& name = {});
+  /// Opens a closed file to add rows (start_appending() is implied), whoever is reading it. The library's locks are not
+  /// used: with them, a reader that keeps the file open would keep the writer out. There must be no other writer.
+  static File append_to(const std::filesystem::path& path);
+  /// Opens a closed file to change numbers in place, whoever is reading it, as append_to() does.
+  static File change(const std::filesystem::path& path);
 
   void create_group(std::string_view name);
   Dataset create_dataset(std::string_view name, const Layout& layout);
@@ -119,9 +133,19 @@ class File {
   void set_attribute(std::string_view object, std::string_view name, std::string_view value);
   void set_attribute(std::string_view object, std::string_view name, double value);
   void set_attribute(std::string_view object, std::string_view name, std::uint64_t value);
+  /// The same for a row of numbers.
+  void set_attribute(std::string_view object, std::string_view name, std::span<const std::int64_t> values);
+  /// The same for a text in the form that VTK asks for: ASCII, of fixed length.
+  void set_fixed_text(std::string_view object, std::string_view name, std::string_view text);
+  void set_integer(std::string_view object, std::string_view name, std::int64_t value);
+  /// Overwrites an attribute that is one integer, where it lies in the file.
+  void overwrite_integer(std::string_view object, std::string_view name, std::int64_t value);
   std::string string_attribute(std::string_view object, std::string_view name) const;
   double number_attribute(std::string_view object, std::string_view name) const;
   std::uint64_t integer_attribute(std::string_view object, std::string_view name) const;
+
+  /// Makes a name for a group or dataset of another file. @param file  relative to this file's folder
+  void link_to_file(std::string_view name, const std::string& file, const std::string& object);
 
   /// Starts the mode in which only rows are added (single writer, multiple readers). In this mode the file can be read
   /// at any time, and it remains readable if this process is killed.
@@ -135,6 +159,9 @@ class File {
   Handle object(std::string_view name) const;
   Handle attribute(std::string_view object, std::string_view name) const;
   void write_attribute(std::string_view object, std::string_view name, std::int64_t type, const void* value);
+  void write_attribute(std::string_view object, std::string_view name, std::int64_t type, const Handle& space,
+                       const void* value);
+  static File open_without_locks(const std::filesystem::path& path, unsigned flags);
   std::string where(std::string_view name) const;
 
   Handle handle_;

@@ -27,7 +27,9 @@ std::string innermost_reason() {
 
 }  // namespace
 
-void silence_library() {
+InLibrary::InLibrary() {
+  static std::recursive_mutex turns;
+  turn_ = std::unique_lock(turns);
   // The library must not do anything at exit either: after a full disk it would try to write again and print errors.
   [[maybe_unused]] static const herr_t no_exit_work = H5dont_atexit();
   [[maybe_unused]] thread_local const herr_t silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -69,6 +71,11 @@ hid_t memory_type(Number number) {
   return H5I_INVALID_HID;
 }
 
+std::size_t size_of(Number number) {
+  const InLibrary in_library;
+  return H5Tget_size(file_type(number));
+}
+
 void fail(const std::string& where, const std::string& what) {
   throw OutputError(where + ": cannot " + what + ": " + innermost_reason());
 }
@@ -92,6 +99,7 @@ Handle::~Handle() {
 }
 
 bool Handle::close() {
+  const InLibrary in_library;
   const hid_t id = std::exchange(id_, -1);
   return id < 0 || H5Idec_ref(id) >= 0;
 }

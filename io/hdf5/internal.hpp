@@ -4,6 +4,7 @@
 #include "io/hdf5/hdf5.hpp"
 
 #include <hdf5.h>
+#include <mutex>
 #include <string>
 
 // For the files in io/hdf5 only: connects the types of the C API with ours.
@@ -11,8 +12,15 @@ namespace gyro::hdf5 {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
-/// Prevents the library from printing its error stack. The setting applies to the calling thread.
-void silence_library();
+/// While it exists, no other thread is in the library, and the library prints no errors. Every function that calls the
+/// library holds one; a thread may hold several.
+class InLibrary {
+ public:
+  InLibrary();
+
+ private:
+  std::unique_lock<std::recursive_mutex> turn_;
+};
 
 /// Throws OutputError "WHERE: cannot WHAT: reason" with the library's innermost reason.
 [[noreturn]] void fail(const std::string& where, const std::string& what);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "io/run/index_file.hpp"
+
 #include <filesystem>
 #include <span>
 #include <string>
@@ -8,12 +10,11 @@
 
 namespace gyro {
 
-/// A ParaView index of frames (.pvd). Frames are added at its end, so that the cost of a frame does not depend on their
-/// number. The file is complete after each call; during a call a reader may see a file that ends early.
+/// A ParaView index of frames (.pvd).
 class FrameIndex {
  public:
   /// @param file  for the index; it is created by the first call of add() or write()
-  explicit FrameIndex(std::filesystem::path file) : file_(std::move(file)) {}
+  explicit FrameIndex(std::filesystem::path file);
 
   /// Adds a frame. @param time  [s]  @param parts  its files, relative to the index
   /// @throws OutputError; the index is then unchanged
@@ -23,8 +24,7 @@ class FrameIndex {
   void write(std::span<const double> times, std::span<const std::vector<std::string>> parts);
 
  private:
-  std::filesystem::path file_;
-  std::size_t end_ = 0;  ///< place of the next frame in the file; 0: no file has been written yet [bytes]
+  IndexFile file_;
 };
 
 }  // namespace gyro

@@ -31,11 +31,13 @@ struct PolyData {
   std::optional<double> time;                        ///< [s]; empty for data that do not depend on time
 };
 
-/// Writes a VTK XML file (.vtp) with appended binary data, compressed by zlib. Uses VTK's library if the program was
-/// built with it, and write_vtp_plain() otherwise. @throws OutputError
+/// Writes a VTK XML file (.vtp) with binary data in its elements, compressed by zlib. Data are not appended after the
+/// elements, which takes a quarter less space: VTK 9.1 and ParaView 5.11 cannot read such files with the expat library
+/// of Debian 12 since its security update of 2025 (2.5.0-1+deb12u2). Uses VTK's library if the program was built with
+/// it, and write_vtp_plain() otherwise. @throws OutputError
 void write_vtp(const std::filesystem::path& path, const PolyData& data);
 
-/// Writes the same file without VTK's library. Format: VTK File Formats (docs.vtk.org), XML, "raw" appended data,
+/// Writes the same file without VTK's library. Format: VTK File Formats (docs.vtk.org), XML, inline "binary" data,
 /// header UInt64, blocks compressed by zlib. @throws OutputError
 void write_vtp_plain(const std::filesystem::path& path, const PolyData& data);
 

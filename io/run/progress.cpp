@@ -13,6 +13,8 @@
 #include <numbers>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 namespace gyro {
 namespace {
 
@@ -168,24 +170,51 @@ void Progress::learn_rates(double now, const ProgressState& state) {
 void Progress::show(double now, const ProgressState& state) {
   const double fraction = fraction_at(state.time);
   const std::string percent = print("%5.1f %%", 100 * fraction);
-  const std::vector<std::string> parts = describe(now, state);
-  if (style_.form == ProgressStyle::Form::live) {
-    constexpr int cells = 16;
-    const int width = style_.width > 0 ? style_.width : terminal_width();
-    // Everything except the bar is plain ASCII. The last column stays empty, because a full line would wrap.
-    const int room = width - 1 - cells - static_cast<int>(percent.size()) - 3;
-    out_ << "\r\033[K" << bar(fraction, cells, style_.colour) << ' ' << percent << "  "
-         << join(parts, static_cast<std::size_t>(std::max(0, room))) << std::flush;
-  } else {
-    out_ << percent << "  " << join(parts, std::string::npos) << '\n' << std::flush;
-  }
+  if (style_.form == ProgressStyle::Form::json)
+    out_ << json_line(now, state) << '\n' << std::flush;
+  else if (style_.form == ProgressStyle::Form::live)
+    show_live(percent, fraction, describe(now, state));
+  else
+    out_ << percent << "  " << join(describe(now, state), std::string::npos) << '\n' << std::flush;
   shown_at_ = now;
+}
+
+void Progress::show_live(const std::string& percent, double fraction, const std::vector<std::string>& parts) {
+  constexpr int cells = 16;
+  const int width = style_.width > 0 ? style_.width : terminal_width();
+  // Everything except the bar is plain ASCII. The last column stays empty, because a full line would wrap.
+  const int room = width - 1 - cells - static_cast<int>(percent.size()) - 3;
+  out_ << "\r\033[K" << bar(fraction, cells, style_.colour) << ' ' << percent << "  "
+       << join(parts, static_cast<std::size_t>(std::max(0, room))) << std::flush;
+}
+
+double Progress::seconds_left(const ProgressState& state) const {
+  return time_rate_ > 0 ? std::max(0.0, end_ - state.time) / time_rate_ : -1;
+}
+
+/// One JSON object; what is unknown, or what the scene does not have, is null.
+std::string Progress::json_line(double now, const ProgressState& state) const {
+  const auto known = [](const auto& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
+  const double left = seconds_left(state);
+  return nlohmann::ordered_json{{"time", state.time},
+                                {"end", end_},
+                                {"fraction", fraction_at(state.time)},
+                                {"wall_seconds", now - started_},
+                                {"seconds_left", known(left < 0 ? std::nullopt : std::optional(left))},
+                                {"particle_steps_per_second", step_rate_},
+                                {"particles", state.particles},
+                                {"bonds_broken", known(state.bonds_broken)},
+                                {"eccentric_speed", known(state.eccentric_speed)},
+                                {"crushing_power", known(state.crushing_power)}}
+      .dump();
 }
 
 /// The parts of a line, the most important first: parts that do not fit into the terminal are left out.
 std::vector<std::string> Progress::describe(double now, const ProgressState& state) const {
   const bool over = state.time >= end_;
-  const double left = time_rate_ > 0 ? (end_ - state.time) / time_rate_ : -1;
+  const double left = seconds_left(state);
   std::vector<std::string> parts;
   parts.push_back("t " + print("%.4g", state.time) + print(" of %.4g s", end_));
   parts.push_back(over ? "took " + format_duration(now - started_) : format_duration(left) + " left");

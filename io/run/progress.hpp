@@ -22,12 +22,12 @@ struct ProgressState {
 
 /// How progress is shown.
 struct ProgressStyle {
-  enum class Form { silent, lines, live } form = Form::lines;
+  enum class Form { silent, lines, live, json } form = Form::lines;
   bool colour = false;
   int width = 0;  ///< of the terminal in characters; 0: determined whenever a line is drawn
 
   /// Live on a terminal; plain lines in a pipe or file, or with TERM=dumb; silent if `quiet`. Colour on a terminal
-  /// unless NO_COLOR is set.
+  /// unless NO_COLOR is set. `json`, for programs that start runs, is chosen by them.
   static ProgressStyle for_stderr(bool quiet);
 };
 
@@ -46,7 +46,10 @@ class Progress {
   bool is_due(double now, double fraction) const;
   void learn_rates(double now, const ProgressState& state);
   void show(double now, const ProgressState& state);
+  void show_live(const std::string& percent, double fraction, const std::vector<std::string>& parts);
+  std::string json_line(double now, const ProgressState& state) const;
   std::vector<std::string> describe(double now, const ProgressState& state) const;
+  double seconds_left(const ProgressState& state) const;  ///< negative while unknown
 
   double fraction_at(double time) const;  ///< fraction of the whole run
 

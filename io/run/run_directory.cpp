@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // All files that a run writes; --overwrite removes these and frames, and nothing else.
-constexpr std::array own_files{"results.h5", "fields.h5", "fields.xdmf",   "checkpoint.h5", "summary.json",
-                               "log.txt",    "case.yaml", "particles.pvd", "bonds.pvd",     "walls.pvd"};
+constexpr std::array own_files{"results.h5", "fields.h5",     "fields.xdmf", "checkpoint.h5", "summary.json", "log.txt",
+                               "case.yaml",  "particles.pvd", "bonds.pvd",   "walls.pvd",     "fragments.pvd"};
 // Files that show that a directory holds a run. A case.yaml alone does not, because it may be the user's own.
 constexpr std::array marks{"results.h5", "summary.json", "log.txt", "checkpoint.h5"};
 
@@ -39,8 +39,8 @@ void remove_file(const fs::path& path) {
   if (error) fail(path, "remove", error);
 }
 
-/// Whether a file has the name of a frame: (particles|bonds|walls)_NNNNNN.vtp or walls_fixed.vtp, perhaps with .tmp at
-/// the end.
+/// Whether a file has the name of a frame: (particles|bonds|walls|fragments)_NNNNNN.vtp or walls_fixed.vtp, perhaps
+/// with .tmp at the end.
 bool is_frame(std::string_view name) {
   if (name.ends_with(".tmp")) name.remove_suffix(4);
   if (name == "walls_fixed.vtp") return true;
@@ -49,8 +49,29 @@ bool is_frame(std::string_view name) {
   const std::size_t bar = std::min(name.find('_'), name.size());
   const std::string_view kind = name.substr(0, bar), number = name.substr(std::min(bar + 1, name.size()));
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  return (kind == "particles" || kind == "bonds" || kind == "walls") && number.size() >= 6 &&
+  return (kind == "particles" || kind == "bonds" || kind == "walls" || kind == "fragments") && number.size() >= 6 &&
          std::all_of(number.begin(), number.end(), is_digit);
+}
+
+/// Whether a file has the name of an index of fields.h5, perhaps with .tmp at the end.
+bool is_field_index(std::string_view name) {
+  if (name.ends_with(".tmp")) name.remove_suffix(4);
+  const std::size_t dot = std::min(name.find('.'), name.size());
+  const std::string_view kind = name.substr(0, dot), suffix = name.substr(dot);
+  return (kind == "particles" || kind == "bonds" || kind == "liners" || kind == "liners_fixed" ||
+          kind == "fragments") &&
+         (suffix == ".xdmf" || suffix == ".vtkhdf");
+}
+
+/// Removes the files of a run in a folder, and the folder unless it contains other files.
+void remove_folder(const fs::path& folder, bool (*is_of_run)(std::string_view name)) {
+  if (!fs::is_directory(folder)) return;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_of_run(entry.path().filename().string())) files.push_back(entry.path());
+  for (const fs::path& path : files) remove_file(path);
+  std::error_code not_empty;
+  fs::remove(folder, not_empty);
 }
 
 void remove_run(const fs::path& directory) {
@@ -58,14 +79,8 @@ void remove_run(const fs::path& directory) {
     remove_file(directory / name);
     remove_file(directory / (std::string(name) + ".tmp"));
   }
-  const fs::path snapshots = directory / "snapshots";
-  if (!fs::is_directory(snapshots)) return;
-  std::vector<fs::path> frames;
-  for (const auto& entry : fs::directory_iterator(snapshots))
-    if (is_frame(entry.path().filename().string())) frames.push_back(entry.path());
-  for (const fs::path& path : frames) remove_file(path);
-  std::error_code not_empty;
-  fs::remove(snapshots, not_empty);  // it remains if it contains other files
+  remove_folder(directory / "snapshots", is_frame);
+  remove_folder(directory / "fields", is_field_index);
 }
 
 void make_directory(const fs::path& path) {

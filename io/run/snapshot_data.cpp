@@ -46,6 +46,7 @@ constexpr Field<Source> field(const char* name, const char* units, F, const char
 using Row = std::size_t;
 using Particles = ParticleSnapshot;
 using Bonds = BondSnapshot;
+using Fragments = FragmentSnapshot;
 
 /// The triangles of all walls in a file.
 struct WallTriangles {
@@ -85,6 +86,34 @@ constexpr Field<Bonds> bond_fields[] = {
     field<float, Bonds>(
         "stress_ratio", "1", [](const Bonds& s, Row b) { return s.stress_ratio[b]; },
         "larger of tensile stress / strength and shear stress / strength; the bond fails at 1"),
+};
+
+constexpr Field<Fragments> fragment_fields[] = {
+    field<std::uint32_t, Fragments>(
+        "id", "1", [](const Fragments& s, Row f) { return s.record[f].id; },
+        "number of the fragment: the lowest id of its particles"),
+    field<std::uint32_t, Fragments>(
+        "parent", "1", [](const Fragments& s, Row f) { return s.parent[f]; },
+        "number of the fragment of the snapshot before, or of an earlier one, that it broke off; its own for a rock "
+        "as it was fed"),
+    field<std::int32_t, Fragments>(
+        "rock", "1", [](const Fragments& s, Row f) { return s.record[f].rock; },
+        "number of the rock that the fragment belonged to"),
+    field<std::int32_t, Fragments>(
+        "particles", "1", [](const Fragments& s, Row f) { return s.record[f].particles; }, "number of its particles"),
+    field<float, Fragments>(
+        "mass", "kg", [](const Fragments& s, Row f) { return s.record[f].mass; }, "mass"),
+    field<float, Fragments>(
+        "size", "m", [](const Fragments& s, Row f) { return s.record[f].size; }, "sieve size, as in /fragments"),
+    field<float, Fragments>(
+        "velocity", "m/s", [](const Fragments& s, Row f) { return s.record[f].velocity; },
+        "velocity of the centre of mass"),
+    field<float, Fragments>(
+        "residence", "s", [](const Fragments& s, Row f) { return s.record[f].time - s.record[f].fed; },
+        "time since its rock came into the scene"),
+    field<float, Fragments>(
+        "age", "s", [](const Fragments& s, Row f) { return s.record[f].time - s.formed[f]; },
+        "time since the snapshot that first found the fragment as it is; of a rock as it was fed, its residence"),
 };
 
 constexpr Field<WallTriangles> wall_fields[] = {
@@ -133,20 +162,39 @@ std::vector<SnapshotField> snapshot_fields() {
   list_fields(particle_fields, "particles", "particle", all);
   list_fields(bond_end_fields, "bonds", "end of a bond", all);
   list_fields(bond_fields, "bonds", "bond", all);
+  list_fields(fragment_fields, "fragments", "fragment", all);
   list_fields(wall_fields, "walls", "triangle", all);
   list_fields(load_fields, "walls", "triangle", all);
   list_fields(wear_fields, "walls", "triangle", all);
   return all;
 }
 
-PolyData particle_data(const ParticleSnapshot& s) {
+namespace {
+
+/// Points in one cell, because without a cell ParaView's surface view shows nothing.
+PolyData points_at(std::vector<float> positions_of_points) {
   PolyData data;
-  data.positions = positions(s.position);
-  // One cell contains all points, because without a cell ParaView's surface view shows nothing.
-  if (s.size() > 0) data.vertices.ends = {static_cast<std::int32_t>(s.size())};
-  data.vertices.points.resize(s.size());
+  data.positions = std::move(positions_of_points);
+  const std::size_t count = data.positions.size() / 3;
+  if (count > 0) data.vertices.ends = {static_cast<std::int32_t>(count)};
+  data.vertices.points.resize(count);
   std::iota(data.vertices.points.begin(), data.vertices.points.end(), 0);
+  return data;
+}
+
+}  // namespace
+
+PolyData particle_data(const ParticleSnapshot& s) {
+  PolyData data = points_at(positions(s.position));
   add_fields(particle_fields, s, s.size(), data.point_fields);
+  return data;
+}
+
+PolyData fragment_data(const FragmentSnapshot& s) {
+  std::vector<Vec3d> centres;
+  for (const FragmentRecord& record : s.record) centres.push_back(record.position);
+  PolyData data = points_at(positions(centres));
+  add_fields(fragment_fields, s, s.size(), data.point_fields);
   return data;
 }
 

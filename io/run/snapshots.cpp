@@ -32,7 +32,8 @@ SnapshotWriter::SnapshotWriter(std::filesystem::path directory, std::vector<doub
       has_fixed_(!times_.empty() && std::filesystem::exists(directory_ / fixed_file)),
       particles_{"particles", FrameIndex(directory_ / "particles.pvd")},
       bonds_{"bonds", FrameIndex(directory_ / "bonds.pvd")},
-      walls_{"walls", FrameIndex(directory_ / "walls.pvd")} {
+      walls_{"walls", FrameIndex(directory_ / "walls.pvd")},
+      fragments_{"fragments", FrameIndex(directory_ / "fragments.pvd")} {
   std::error_code error;
   std::filesystem::create_directories(directory_ / "snapshots", error);
   if (error) throw OutputError((directory_ / "snapshots").string() + ": cannot make the directory: " + error.message());
@@ -49,7 +50,7 @@ std::vector<std::string> SnapshotWriter::parts(const std::string& kind, std::siz
 
 /// Removes frames that an earlier run has left. The indices are changed first, so that they never name a missing file.
 void SnapshotWriter::drop_later_frames() {
-  for (Kind* kind : {&particles_, &bonds_, &walls_}) {
+  for (Kind* kind : {&particles_, &bonds_, &walls_, &fragments_}) {
     const auto file = [&](std::size_t frame) { return directory_ / frame_file(kind->name, frame); };
     if (!std::filesystem::exists(directory_ / (kind->name + ".pvd"))) continue;
     std::vector<std::vector<std::string>> kept;
@@ -75,10 +76,12 @@ void SnapshotWriter::write(const SnapshotFrame& frame) {
   if (frame.particles) write_vtp(file(particles_), at(frame.time, particle_data(*frame.particles)));
   if (frame.bonds) write_vtp(file(bonds_), at(frame.time, bond_data(*frame.bonds, *frame.particles)));
   if (!frame.walls.empty()) write_vtp(file(walls_), at(frame.time, wall_data(frame.walls)));
+  if (frame.fragments) write_vtp(file(fragments_), at(frame.time, fragment_data(*frame.fragments)));
   times_.push_back(frame.time);
   // The indices are changed last, so that they never name a missing file.
   if (frame.particles) add_to_index(particles_, true);
   if (frame.bonds) add_to_index(bonds_, true);
+  if (frame.fragments) add_to_index(fragments_, true);
   if (!frame.walls.empty() || has_fixed_) add_to_index(walls_, !frame.walls.empty());
 }
 

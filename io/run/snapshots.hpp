@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/fragments/fragment_history.hpp"
 #include "core/scene/dem.hpp"
 #include "core/scene/scene.hpp"
 #include "io/run/frame_index.hpp"
@@ -33,11 +34,12 @@ struct SnapshotFrame {
   const ParticleSnapshot* particles = nullptr;
   const BondSnapshot* bonds = nullptr;    ///< needs particles
   std::span<const PosedWall> walls = {};  ///< those that change from frame to frame
+  const FragmentSnapshot* fragments = nullptr;
 };
 
 /// A field of the files of a frame.
 struct SnapshotField {
-  std::string kind;  ///< of the file: "particles", "bonds", "walls"
+  std::string kind;  ///< of the file: "particles", "bonds", "walls", "fragments"
   std::string row;   ///< object that has a value, such as "particle"
   std::string name, units;
   int width;                ///< components
@@ -45,11 +47,12 @@ struct SnapshotField {
 };
 std::vector<SnapshotField> snapshot_fields();
 
-/// Writes snapshots/{particles,bonds,walls}_000123.vtp (VTK PolyData: appended, zlib, float32),
-/// snapshots/walls_fixed.vtp once, and the ParaView indices {particles,bonds,walls}.pvd.
+/// Writes snapshots/{particles,bonds,walls,fragments}_000123.vtp (VTK PolyData: binary, zlib, float32),
+/// snapshots/walls_fixed.vtp once, and the ParaView indices {particles,bonds,walls,fragments}.pvd.
 ///
-/// particles: points with one vertex cell, all fields at the points. bonds: one line for each bond, with two points of
-/// its own; the radius is a field of the points, the others of the lines. walls: triangles with their fields.
+/// particles and fragments: points with one vertex cell, all fields at the points. bonds: one line for each bond, with
+/// two points of its own; the radius is a field of the points, the others of the lines. walls: triangles with their
+/// fields.
 /// @throws OutputError if a file cannot be written
 class SnapshotWriter {
  public:
@@ -73,7 +76,7 @@ class SnapshotWriter {
   std::filesystem::path directory_;
   std::vector<double> times_;
   bool has_fixed_ = false;
-  Kind particles_, bonds_, walls_;
+  Kind particles_, bonds_, walls_, fragments_;
 };
 
 }  // namespace gyro

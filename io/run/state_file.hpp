@@ -9,7 +9,7 @@
 namespace gyro {
 
 /// Format of checkpoint.h5. It is raised when a new version can no longer continue from an older file.
-inline constexpr std::uint64_t state_format = 10;
+inline constexpr std::uint64_t state_format = 11;
 
 /// Writes a state as an HDF5 file in which every column is a dataset, followed by the digest of all bytes. The file is
 /// replaced as a whole: at any time, also after a kill or on a full disk, PATH is either the old state or the new one.

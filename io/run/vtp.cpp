@@ -85,8 +85,7 @@ vtkNew<vtkPolyData> vtk_data(const PolyData& data) {
 void write_vtp(const std::filesystem::path& path, const PolyData& data) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(vtk_data(data));
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
   writer->SetHeaderTypeToUInt64();
   // The file is written to memory first, because VTK does not report every failed write to a file.

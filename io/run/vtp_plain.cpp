@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/errors.hpp"
+#include "io/files/base64.hpp"
 #include "io/run/poly_data.hpp"
 #include "io/run/replace_file.hpp"
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <bit>
-#include <cstring>
+#include <new>
+#include <string_view>
 
 namespace gyro {
 namespace {
@@ -24,17 +24,39 @@ constexpr const char* type_name() {
   if constexpr (std::is_same_v<T, std::uint32_t>) return "UInt32";
 }
 
-/// The two parts of the file: the XML elements, and the bytes to which they refer.
+std::string_view bytes_of(const void* data, std::size_t size) {
+  return {static_cast<const char*>(data), size};
+}
+
+/// Data in the form of VTK: number of blocks, size of a block, size of the last block if it is smaller (else 0),
+/// compressed size of each block; then the blocks. Each of the two parts is base64 of its own.
+std::string encoded(std::string_view data) {
+  const std::size_t blocks = (data.size() + block_bytes - 1) / block_bytes;
+  std::vector<std::uint64_t> header{blocks, block_bytes, data.size() % block_bytes};
+  std::string compressed;
+  std::vector<unsigned char> room(::compressBound(block_bytes));
+  for (std::size_t begin = 0; begin < data.size(); begin += block_bytes) {
+    const std::string_view block = data.substr(begin, block_bytes);
+    uLongf length = room.size();
+    if (::compress2(room.data(), &length, reinterpret_cast<const unsigned char*>(block.data()), block.size(),
+                    Z_DEFAULT_COMPRESSION) != Z_OK)
+      throw std::bad_alloc();
+    header.push_back(length);
+    compressed += bytes_of(room.data(), length);
+  }
+  return base64(bytes_of(header.data(), header.size() * sizeof(std::uint64_t))) + base64(compressed);
+}
+
+/// The XML elements of the file.
 class Vtp {
  public:
-  std::string xml, bytes;
+  std::string xml;
 
   template <class T>
   void add(const std::string& name, int components, const std::vector<T>& values, const std::string& more = "") {
     xml += "<DataArray type=\"" + std::string(type_name<T>()) + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-           std::to_string(components) + "\"" + more + " format=\"appended\" offset=\"" + std::to_string(bytes.size()) +
-           "\"/>\n";
-    append(reinterpret_cast<const unsigned char*>(values.data()), values.size() * sizeof(T));
+           std::to_string(components) + "\"" + more + " format=\"binary\">\n";
+    xml += encoded(bytes_of(values.data(), values.size() * sizeof(T))) + "\n</DataArray>\n";
   }
 
   void add(const std::vector<PolyArray>& fields) {
@@ -47,26 +69,6 @@ class Vtp {
     add("connectivity", 1, cells.points);
     add("offsets", 1, cells.ends);
     xml += std::string("</") + kind + ">\n";
-  }
-
- private:
-  /// Appends data in the form of VTK: number of blocks, size of a block, size of the last block if it is smaller (else
-  /// 0), compressed size of each block, and the blocks.
-  void append(const unsigned char* data, std::size_t size) {
-    const std::size_t blocks = (size + block_bytes - 1) / block_bytes;
-    std::vector<std::uint64_t> header{blocks, block_bytes, size % block_bytes};
-    std::string compressed;
-    std::vector<unsigned char> room(::compressBound(block_bytes));
-    for (std::size_t begin = 0; begin < size; begin += block_bytes) {
-      uLongf length = room.size();
-      if (::compress2(room.data(), &length, data + begin, std::min(block_bytes, size - begin), Z_DEFAULT_COMPRESSION) !=
-          Z_OK)
-        throw std::bad_alloc();
-      header.push_back(length);
-      compressed.append(reinterpret_cast<const char*>(room.data()), length);
-    }
-    bytes.append(reinterpret_cast<const char*>(header.data()), header.size() * sizeof(std::uint64_t));
-    bytes += compressed;
   }
 };
 
@@ -98,8 +100,8 @@ void write_vtp_plain(const std::filesystem::path& path, const PolyData& data) {
   file.add("Verts", data.vertices);
   file.add("Lines", data.lines);
   file.add("Polys", data.triangles);
-  file.xml += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-  replace_file(path, file.xml + file.bytes + "\n</AppendedData>\n</VTKFile>\n");
+  file.xml += "</Piece>\n</PolyData>\n</VTKFile>\n";
+  replace_file(path, file.xml);
 }
 
 }  // namespace gyro

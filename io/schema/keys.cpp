@@ -325,7 +325,7 @@ const std::vector<Key> run_keys = {
     {.path = "output.fines.gates_gaudin_schuhmann.m", .type = quantity, .required = true, .range = {.low = 0, .high = 5, .low_open = true},
      .doc = "Exponent."},
     {.path = "output.formats", .type = words, .fallback = "[vtp]", .words = "vtp|hdf5",
-     .doc = "Files of a snapshot: vtp for ParaView; hdf5 is not available in this version."},
+     .doc = "Files of the snapshots: vtp writes one for each snapshot and kind of data; hdf5 writes all of them into fields.h5, for ParaView and for programs."},
     {.path = "output.liners",
      .doc = "Maps of pressure and sliding work of every wall except planes, in /liners of results.h5; without this section no maps "
             "are computed."},

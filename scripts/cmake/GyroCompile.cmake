@@ -44,6 +44,12 @@ if(GYRO_SANITIZE)
   target_link_options(gyro_compile INTERFACE $<$<LINK_LANGUAGE:CXX>:${sanitize}>)
 endif()
 
+# What clang's libFuzzer needs to see which code an input has reached.
+option(GYRO_FUZZ "Build the targets of tests/fuzz for libFuzzer (with clang++)" OFF)
+if(GYRO_FUZZ)
+  target_compile_options(gyro_compile INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=fuzzer-no-link>)
+endif()
+
 # Bounds of buffers and return addresses are checked at run time.
 if(NOT GYRO_SANITIZE)  # which checks more
   target_compile_options(gyro_compile INTERFACE

@@ -2,6 +2,7 @@
 // Runs that continue after any kind of interruption have the same numbers as without it.
 #include "tests/app/program.hpp"
 #include "tests/catch.hpp"
+#include "tests/io/fields/read_fields.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -14,10 +15,22 @@ using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 /// Rocks break, are fed, fall through and are removed; rows are longer than windows.
-const std::string crush = "run '" GYRO_APP_CASES
-                          "/crush.yaml' --set feed.rate=20 --set 'crusher.removal_depth=1 mm' "
-                          "--set 'output.series=2 ms' --set 'output.snapshots=5 ms' ";
+const std::string crush =
+    "run '" GYRO_APP_CASES
+    "/crush.yaml' --set feed.rate=20 --set 'crusher.removal_depth=1 mm' "
+    "--set 'output.series=2 ms' --set 'output.snapshots=5 ms' --set 'output.formats=[vtp, hdf5]' ";
 const std::string box = "run '" GYRO_CASES "/box.yaml' ";
+
+void require_same_fields(const fs::path& a, const fs::path& b) {
+  const hdf5::File one = hdf5::File::open_closed(a), other = hdf5::File::open_closed(b);
+  for (const char* group : {"/VTKHDF", "/bonds", "/liners", "/fragments"}) {
+    INFO(group);
+    REQUIRE(frame_count(one, group) > 10);
+    REQUIRE(frame_count(one, group) == frame_count(other, group));
+    for (std::int64_t frame = 0; frame < frame_count(one, group); ++frame)
+      CHECK(numbers_of(one, group, frame) == numbers_of(other, group, frame));
+  }
+}
 
 void require_same_results(const fs::path& a, const fs::path& b) {
   const auto one = all_results(a), other = all_results(b);
@@ -27,12 +40,13 @@ void require_same_results(const fs::path& a, const fs::path& b) {
     CHECK(one[k].first == other[k].first);
     CHECK(one[k].second == other[k].second);
   }
-  for (const char* name : {"particles.pvd", "bonds.pvd", "walls.pvd"})
+  for (const char* name : {"particles.pvd", "bonds.pvd", "walls.pvd", "fragments.pvd"})
     CHECK(read_text(a / name) == read_text(b / name));
   for (const auto& frame : fs::directory_iterator(a / "snapshots")) {
     INFO(frame.path());
     CHECK(read_text(frame.path()) == read_text(b / "snapshots" / frame.path().filename()));
   }
+  if (fs::exists(a / "fields.h5")) require_same_fields(a / "fields.h5", b / "fields.h5");
   const nlohmann::json first = summary_of(a), second = summary_of(b);
   for (const auto& [key, value] : first.items()) {
     INFO(key);

@@ -31,10 +31,11 @@ void require_fragments(const fs::path& run) {
   const json summary = summary_of(run);
   const auto of = [&](const std::string& column) { return result_of(run, "fragments/" + column); };
   const std::vector<double> place = of("place"), mass = of("mass"), time = of("time"), size = of("size"),
-                            particles = of("particles"), sieves = result_of(run, "product/sizes");
+                            particles = of("particles"), fed = of("fed"), sieves = result_of(run, "product/sizes");
   double inside = 0, discharged = 0, singles = 0, remaining = 0;
   std::vector<double> fine(sieves.size());
   for (std::size_t k = 0; k < place.size(); ++k) {
+    CHECK((fed[k] >= 0 && fed[k] <= time[k]));
     if (place[k] == 0) {
       CHECK(time[k] == Approx(summary["simulated_seconds"].get<double>()));
       inside += mass[k];
@@ -52,6 +53,8 @@ void require_fragments(const fs::path& run) {
   CHECK(inside == Approx(summary["holdup_mass"].get<double>()));
   CHECK(singles / discharged == Approx(summary["singles_share"].get<double>()));
   CHECK(remaining == result_of(run, "holdup/fragments").back());
+  const bool is_fed = result_of(run, "series/feed_mass").back() > result_of(run, "series/feed_mass").front();
+  CHECK((*std::max_element(fed.begin(), fed.end()) > 0) == is_fed);
   const std::vector<double> passing = result_of(run, "product/passing");
   for (std::size_t s = 0; s < sieves.size(); ++s)
     CHECK(fine[s] / discharged == Approx(passing[passing.size() - sieves.size() + s]).margin(1e-12));

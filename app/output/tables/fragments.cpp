@@ -49,6 +49,14 @@ const Table<FragmentRecord>& fragments_table() {
            .units = "m",
            .value = [](const Row& r) { return r.position; },
            .description = "centre of mass"},
+          {.name = "velocity",
+           .units = "m/s",
+           .value = [](const Row& r) { return r.velocity; },
+           .description = "velocity of the centre of mass"},
+          {.name = "fed",
+           .units = "s",
+           .value = [](const Row& r) { return r.fed; },
+           .description = "time at which its rock came into the scene; time - fed is its residence time"},
       }};
   return table;
 }

@@ -60,6 +60,30 @@ OutputGroup snapshot_group(const std::string& kind, const std::string& content, 
   return group;
 }
 
+OutputGroup fields_group() {
+  OutputGroup group{"fields.h5",
+                    "the same frames with output.formats: [hdf5], in groups of VTKHDF 2.0: /VTKHDF (particles), "
+                    "/fragments, /bonds, /liners "
+                    "(walls that change) and /liners_fixed; rows that belong to no frame fill up chunks",
+                    {}};
+  const auto add = [&](const char* name, const char* units, const char* width, const char* description) {
+    group.entries.push_back({name, units, width, to_string(Sampling::instant), "in each group", description});
+  };
+  add("Steps/Values", "s", "1", "time of frame k; the attribute NSteps of Steps is the number of frames");
+  add("NumberOfPoints", "1", "1", "points of frame k");
+  add("Steps/PointOffsets", "1", "1", "the first of them in Points");
+  add("Points", "m", "3", "positions");
+  add("PointData/NAME", "-", "1 or 3", "field of the points, as in the files above");
+  add("Steps/PointDataOffsets/NAME", "1", "1", "first row of frame k in PointData/NAME");
+  add("CellData/NAME", "-", "1 or 3", "field of the bonds or triangles, as in the files above");
+  add("Steps/CellDataOffsets/NAME", "1", "1", "first row of frame k in CellData/NAME");
+  add("Lines/NumberOfCells", "1", "1", "cells of frame k; likewise for Vertices and Polygons");
+  add("Lines/Connectivity", "1", "1", "points of the cells of all frames, one cell after the other");
+  add("Steps/ConnectivityIdOffsets", "1", "4",
+      "first row of frame k in Connectivity, for Vertices, Lines, Polygons and Strips");
+  return group;
+}
+
 OutputGroup summary_group() {
   OutputGroup group{"summary.json", "figures of the run, written at its end; null where they do not apply", {}};
   for (const SummaryMember& m : summary_members())
@@ -123,7 +147,12 @@ std::vector<OutputGroup> output_reference() {
           summary_group(),
           snapshot_group("particles", "points, in single precision; open particles.pvd", "with output.snapshots"),
           snapshot_group("bonds", "lines, in single precision; open bonds.pvd", "with output.snapshots and bonds"),
-          snapshot_group("walls", "triangles, in single precision; open walls.pvd", "with output.snapshots")};
+          snapshot_group("fragments",
+                         "points at the centres of mass, in single precision; open fragments.pvd. Fragments that have "
+                         "left the chamber are not among them",
+                         "with output.snapshots and bonds"),
+          snapshot_group("walls", "triangles, in single precision; open walls.pvd", "with output.snapshots"),
+          fields_group()};
 }
 
 std::string outputs_text() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/view3d/encode.hpp"
 
+#include "io/files/base64.hpp"
+
 #include <array>
 #include <cstdio>
 
@@ -17,21 +19,6 @@ std::string data(const char* name, std::size_t value) {
 }
 
 }  // namespace
-
-std::string base64(std::string_view bytes) {
-  static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t i = k; i < k + 3; ++i)
-      group = group << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u);
-    for (int shift = 18; shift >= 0; shift -= 6) text += digits[group >> shift & 63];
-  }
-  if (bytes.size() % 3 > 0)
-    text.replace(text.size() - (3 - bytes.size() % 3), 3 - bytes.size() % 3, bytes.size() % 3 == 1 ? "==" : "=");
-  return text;
-}
 
 std::string html_frame(const ViewFrame& frame) {
   std::string bytes;

@@ -4,11 +4,8 @@
 #include "app/report/view3d/frames.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace gyro::report {
-
-std::string base64(std::string_view bytes);
 
 /// A frame as an HTML element with its bytes in base64, which view3d.js reads: x, y, z, radius of each particle
 /// (float32), x, y, z of each corner of the walls (float32), three corners of each triangle (uint32), colour of each

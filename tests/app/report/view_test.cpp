@@ -31,14 +31,6 @@ void write_particles(const std::filesystem::path& file, std::uint32_t n, double 
 
 }  // namespace
 
-TEST_CASE("Base64 is that of RFC 4648") {
-  CHECK(base64("") == "");
-  CHECK(base64("f") == "Zg==");
-  CHECK(base64("fo") == "Zm8=");
-  CHECK(base64("foobar") == "Zm9vYmFy");
-  CHECK(base64(std::string("\xff\xfe\x00", 3)) == "//4A");
-}
-
 TEST_CASE("Frames are chosen evenly, with the first and the last") {
   CHECK(chosen_frames(51, 8) == std::vector<std::size_t>{0, 7, 14, 21, 28, 35, 42, 50});
   CHECK(chosen_frames(3, 8) == std::vector<std::size_t>{0, 1, 2});

@@ -3,11 +3,8 @@
 #include "io/run/results.hpp"
 #include "io/run/state_file.hpp"
 #include "tests/catch.hpp"
+#include "tests/io/run/kill_writer.hpp"
 #include "tests/io/run/scratch.hpp"
-
-#include <sys/wait.h>
-#include <unistd.h>
-#include <csignal>
 
 using namespace gyro;
 
@@ -52,27 +49,6 @@ SavedState state_number(int number) {
     write_state(path, state_number(number));
     if (number == 1 && ::write(pipe_end, "b", 1) != 1) ::_exit(1);
   }
-}
-
-/// Starts `write` in another process and waits until it has written a byte to a pipe, and then for a time. Then calls
-/// `look`, and kills the process.
-template <class Write, class Look>
-void kill_writer_after(useconds_t microseconds, const Write& write, const Look& look) {
-  int ends[2];
-  REQUIRE(::pipe(ends) == 0);
-  const pid_t child = ::fork();
-  REQUIRE(child >= 0);
-  if (child == 0) write(ends[1]);
-  char begun = 0;
-  REQUIRE(::read(ends[0], &begun, 1) == 1);
-  ::usleep(microseconds);
-  look();
-  ::kill(child, SIGKILL);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  ::close(ends[0]);
-  ::close(ends[1]);
-  REQUIRE(WIFSIGNALED(status));
 }
 
 }  // namespace

@@ -7,6 +7,10 @@
 #include <cstdlib>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 using namespace gyro;
 using Catch::Matchers::Contains;
@@ -124,6 +128,21 @@ TEST_CASE("Progress is plain and without colour unless standard error is a termi
   ::setenv("NO_COLOR", "1", 1);
   CHECK_FALSE(ProgressStyle::for_stderr(false).colour);
   ::unsetenv("NO_COLOR");
+}
+
+TEST_CASE("Progress for programs is one JSON object a line, with null for what is unknown or not in the scene") {
+  std::istringstream lines(run_shown({Form::json}, 2.0, 100, 1000));
+  std::vector<nlohmann::json> objects;
+  for (std::string line; std::getline(lines, line);) objects.push_back(nlohmann::json::parse(line));
+  REQUIRE(objects.size() > 40);
+  CHECK(objects[20]["end"] == 2.0);
+  CHECK(objects[20]["fraction"].get<double>() == Approx(objects[20]["time"].get<double>() / 2));
+  CHECK(objects[20]["seconds_left"].get<double>() + objects[20]["wall_seconds"].get<double>() == Approx(100));
+  CHECK(objects[20]["particles"] == 1234);
+  CHECK(objects[20]["bonds_broken"].is_null());
+  CHECK(objects[20]["crushing_power"].is_null());
+  CHECK(objects.back()["fraction"] == 1.0);
+  CHECK(objects.back()["seconds_left"] == 0.0);
 }
 
 TEST_CASE("Durations and counts are printed in a readable form") {

@@ -111,6 +111,31 @@ TEST_CASE("Bonds read back with VTK as they were written") {
   }
 }
 
+TEST_CASE("Fragments read back with VTK as they were written") {
+  const ScratchDirectory scratch;
+  FragmentRecord one{.time = 2, .id = 4000000000u, .rock = 7, .particles = 12, .mass = 3.5, .size = 0.25};
+  one.position = {1, 2, 3};
+  one.velocity = {0, 0, -4};
+  one.fed = 0.5;
+  const FragmentSnapshot fragments{{one, one}, {6, 4000000000u}, {1.5, 0.5}};
+  SnapshotWriter(scratch.path()).write({.time = 2, .fragments = &fragments});
+  const auto data = read(scratch.path() / "snapshots" / "fragments_000000.vtp");
+  REQUIRE(data->GetNumberOfPoints() == 2);
+  vtkPointData* fields = data->GetPointData();
+  CHECK(data->GetPoint(1)[1] == 2);
+  CHECK(value(fields, "id", 0) == 4e9);
+  CHECK(value(fields, "parent", 0) == 6);
+  CHECK(value(fields, "rock", 0) == 7);
+  CHECK(value(fields, "particles", 0) == 12);
+  CHECK(value(fields, "mass", 0) == 3.5);
+  CHECK(value(fields, "size", 0) == 0.25);
+  CHECK(value(fields, "velocity", 0, 2) == -4);
+  CHECK(value(fields, "residence", 0) == 1.5);
+  CHECK(value(fields, "age", 0) == 0.5);
+  CHECK(value(fields, "age", 1) == 1.5);
+  CHECK(std::filesystem::exists(scratch.path() / "fragments.pvd"));
+}
+
 TEST_CASE("Walls read back with VTK as they were written") {
   const ScratchDirectory scratch;
   const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0, {}},
@@ -183,10 +208,12 @@ TEST_CASE("The files have the fields of the reference page, with the same number
   const ParticleSnapshot particles = three_particles();
   const BondSnapshot bonds{{0}, {1}, {-5}, {0.5}, {0.125}};
   const PosedWall walls[] = {{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0, WallLoads{{1}, {1}, {1}}}};
-  SnapshotWriter(scratch.path()).write({.time = 1, .particles = &particles, .bonds = &bonds, .walls = walls});
+  const FragmentSnapshot fragments{{FragmentRecord{.time = 1, .id = 5, .particles = 2}}, {5}, {0.5}};
+  SnapshotWriter(scratch.path())
+      .write({.time = 1, .particles = &particles, .bonds = &bonds, .walls = walls, .fragments = &fragments});
   std::map<std::string, int> described, written;
   for (const SnapshotField& field : snapshot_fields()) described[field.kind + " " + field.name] = field.width;
-  for (const std::string kind : {"particles", "bonds", "walls"}) {
+  for (const std::string kind : {"particles", "bonds", "walls", "fragments"}) {
     const auto data = read(scratch.path() / "snapshots" / (kind + "_000000.vtp"));
     for (vtkDataSetAttributes* fields : {static_cast<vtkDataSetAttributes*>(data->GetPointData()),
                                          static_cast<vtkDataSetAttributes*>(data->GetCellData())})
