@@ -58,8 +58,8 @@ sys.exit(different < 300)
 PYTHON
 }
 
-browse desktop --window-size=1280,6000 --screenshot="$out/desktop.png"
-browse dark --window-size=1280,6000 --blink-settings=preferredColorScheme=0 --screenshot="$out/dark.png"
+browse desktop --window-size=1280,7600 --screenshot="$out/desktop.png"
+browse dark --window-size=1280,7600 --blink-settings=preferredColorScheme=0 --screenshot="$out/dark.png"
 browse phone --window-size=390,6000 --screenshot="$out/phone.png"
 for name in desktop dark phone; do require_picture "$out/$name.png"; done
 browse print --no-pdf-header-footer --print-to-pdf="$out/print.pdf"

@@ -27,8 +27,9 @@ std::string words_on_particles(const std::vector<ViewFrame>& frames) {
 std::string view(const RunData& run, const ViewLimits& limits) {
   const std::vector<ViewFrame> frames = read_frames(run.directory, limits);
   if (frames.empty())
-    return "<p>This run has no snapshots (output.snapshots of its case is 0, or the files were removed), so there is "
-           "nothing to show in three dimensions.</p>\n";
+    return "<p>This run has no snapshots in .vtp files (output.snapshots of its case is 0, output.formats has no vtp, "
+           "or "
+           "the files were removed), so there is nothing to show in three dimensions.</p>\n";
   std::string html =
       "<div class=\"view3d\"><div class=\"live\" hidden=\"hidden\"><canvas tabindex=\"0\" "
       "aria-label=\"Rock and liners in three dimensions\"></canvas>\n<p class=\"controls\">"
