@@ -5,10 +5,10 @@ set -euo pipefail
 usage() {
   cat <<'END'
 scripts/fuzz.sh [SECONDS [TARGET...]]
-  Feeds everything that reads files of users with any bytes, each target (case, table, fmu, mesh, state, summary, library)
-  for SECONDS (default 60), with address and undefined-behaviour sanitizers. Inputs that reached new code are kept in
-  build/fuzz/corpus/TARGET, so that a later call goes on from them. An input that crashed, leaked or took more than 10 s
-  lies in build/fuzz/found/TARGET-*: mend the cause, and put the input into tests/fuzz/corpus/TARGET.
+  Feeds everything that reads files of users with any bytes, each target (case, table, fmu, mesh, state, summary,
+  library, vtp) for SECONDS (default 60), with address and undefined-behaviour sanitizers. Inputs that reached new code
+  are kept in build/fuzz/corpus/TARGET, so that a later call goes on from them. An input that crashed, leaked or took
+  more than 10 s lies in build/fuzz/found/TARGET-*: mend the cause, and put the input into tests/fuzz/corpus/TARGET.
   Exit code 1 if there is one. Needs the package clang.
 END
 }
@@ -18,7 +18,7 @@ case ${1-} in -h | --help) usage; exit 0 ;; esac
 seconds=${1:-60}
 shift || true
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(case table fmu mesh state summary library)
+[ ${#targets[@]} -gt 0 ] || targets=(case table fmu mesh state summary library vtp)
 if ! command -v clang++ > /dev/null; then echo "fuzz.sh: clang++ is missing; install the package clang" >&2; exit 2; fi
 
 cd "$root"
@@ -35,6 +35,7 @@ seeds() {
     mesh) find build tests -name '*.stl' -size -40k -o -name '*.obj' -size -40k ;;
     fmu) find build -name 'modelDescription.xml' -o -name '*.fmu' -size -40k ;;
     summary) find build runs -name 'summary.json' 2> /dev/null || true ;;
+    vtp) find build runs -name '*.vtp' -size -40k 2> /dev/null || true ;;
   esac
 }
 

@@ -7,7 +7,7 @@
     base .. laws <- geometry rocks fragments walls feed      preparation; the engine uses nothing of it
     base .. scene <- mbd                                     the drivetrain knows windows, not the particle engine
     base .. surfaces, preparation, mbd <- io                 files; in it hdf5 <- run, yaml <- schema <- case; mesh stands alone
-    everything <- app                                        in it simulation <- verify, bench, sweep <- commands
+    everything <- app                                        in it simulation <- verify, bench, sweep <- commands; report
 
 Usage: include_lint.py [ROOT]
 """
@@ -68,6 +68,7 @@ ALLOWED = {
     "app/output": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/"),
     "app/run": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/"),
     "app/sweep": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/", "app/sweep/"),
+    "app/report": (*DATA, "mbd/", "io/", "app/report/"),  # reads what runs have written
     "app/verify": (*PROGRAM, "app/simulation/", "app/verify/"),
     "app/bench": (*PROGRAM, "app/simulation/", "app/assembly/", "app/output/", "app/run/", "app/bench/"),
     "app/examples": ("core/", "gpu/", "mbd/", "app/simulation/", "app/examples/"),  # what a user of the installed library sees

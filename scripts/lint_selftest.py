@@ -69,11 +69,12 @@ ARROWS = {
     "app/output": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output",
     "app/run": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run",
     "app/sweep": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/sweep",
+    "app/report": f"{DATA} mbd {IO} app/report",
     "app/verify": f"{CORE} gpu mbd {IO} app/simulation app/verify",
     "app/bench": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/bench",
     "app/examples": f"{CORE} gpu mbd app/simulation app/examples",
-    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/sweep app/verify app/bench app/examples app/commands app/command_line",
-    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/sweep app/verify app/bench app/examples app/commands app/command_line",
+    "app/commands": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/sweep app/report app/verify app/bench app/examples app/commands app/command_line",
+    "app/command_line": f"{CORE} gpu mbd {IO} app/simulation app/assembly app/output app/run app/sweep app/report app/verify app/bench app/examples app/commands app/command_line",
 }
 
 

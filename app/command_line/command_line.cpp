@@ -151,7 +151,8 @@ struct Arguments {
   SweepArguments sweep;
   CaseArguments check, library, liners, fmu;
   std::optional<std::filesystem::path> library_out, fmu_out;
-  std::filesystem::path liners_out, reported;
+  std::filesystem::path liners_out;
+  ReportArguments report;
   ExportArguments exported;
   VerifyArguments verify;
   BenchAccuracyArguments accuracy;
@@ -192,9 +193,11 @@ void add_commands_of_cases(CLI::App& app, Arguments& a) {
 }
 
 void add_commands_of_runs(CLI::App& app, Arguments& a) {
-  CLI::App* c = app.add_subcommand("report", "print the summary of a run again");
-  c->add_option("RUNDIR", a.reported, "directory of a run")->required();
-  c->callback([&a] { a.chosen = [&a] { return report_command(a.reported); }; });
+  CLI::App* c = app.add_subcommand("report", "print the summary of runs again, or write a page with all their results");
+  c->add_option("RUNDIR", a.report.runs, "directories of runs; several are compared")->required();
+  c->add_option("--out", a.report.out, "one HTML page with figures and plots, which needs no other file: FILE.html")
+      ->check(possible_name);
+  c->callback([&a] { a.chosen = [&a] { return report_command(a.report); }; });
 
   CLI::App* forms = app.add_subcommand("export", "write results in another form")->require_subcommand(1);
   c = forms->add_subcommand("fmu", "the drivetrain as an FMI 2.0 co-simulation FMU");

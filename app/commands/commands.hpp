@@ -51,6 +51,11 @@ struct ExportArguments {
   std::optional<std::filesystem::path> out;
 };
 
+struct ReportArguments {
+  std::vector<std::filesystem::path> runs;
+  std::optional<std::filesystem::path> out;  ///< the page; none: the summaries as text
+};
+
 struct VerifyArguments {
   std::string filter;    ///< regular expression searched in the names of checks; empty: all
   bool nightly = false;  ///< the long cases as well
@@ -90,8 +95,8 @@ int library_command(const CaseArguments& arguments, const std::optional<std::fil
 int verify_command(const VerifyArguments& arguments);
 int bench_accuracy_command(const BenchAccuracyArguments& arguments);
 int bench_speed_command(const BenchSpeedArguments& arguments);
-/// The summary of a run, as it was printed at its end.
-int report_command(const std::filesystem::path& run);
+/// The summaries of runs as they were printed at their ends, or one HTML page about the runs (app/report).
+int report_command(const ReportArguments& arguments);
 /// A table of a run as CSV, to a file or standard output; names carry the unit.
 int export_command(const ExportArguments& arguments);
 /// The drivetrain of a case, or of the case of a run, as an FMI 2.0 co-simulation FMU.

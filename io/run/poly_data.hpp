@@ -41,4 +41,7 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data);
 /// header UInt64, blocks compressed by zlib. @throws OutputError
 void write_vtp_plain(const std::filesystem::path& path, const PolyData& data);
 
+/// Reads a file that one of the two has written. @throws BadInput with the path for a missing or damaged file
+PolyData read_vtp(const std::filesystem::path& path);
+
 }  // namespace gyro
