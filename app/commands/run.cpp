@@ -4,9 +4,13 @@
 #include "app/output/steady_goal.hpp"
 #include "app/run/case_run.hpp"
 #include "app/run/stop_request.hpp"
+#include "app/sweep/shell_text.hpp"
 #include "core/base/errors.hpp"
 
 #include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace gyro {
 namespace {
@@ -70,6 +74,26 @@ int exit_code(RunStatus status) {
   return status == RunStatus::interrupted ? exit_interrupted : status == RunStatus::stopped ? exit_stopped : exit_done;
 }
 
+/// The command that continues a run, for a shell.
+std::string continuing_command(const RunArguments& a, const std::filesystem::path& directory) {
+  std::vector<std::string> words{"gyrosim", "run", a.input.file.string()};
+  const auto add = [&](const char* option, const std::string& value) { words.insert(words.end(), {option, value}); };
+  const auto number = [](double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+  };
+  for (const std::string& setting : a.input.set) add("--set", setting);
+  if (a.until) add("--until", number(*a.until));
+  if (a.steady) add("--until", "steady=" + number(*a.steady));
+  if (a.max_walltime) add("--max-walltime", number(*a.max_walltime));
+  if (a.device != "auto") add("--device", a.device);
+  if (a.threads > 0) add("--threads", std::to_string(a.threads));
+  add("--out", directory.string());
+  words.emplace_back("--resume");
+  return shell_line(words);
+}
+
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
@@ -103,7 +127,7 @@ int run_command(const RunArguments& arguments) {
   });
   const RunStatus status = run->run();
   if (status == RunStatus::interrupted && !arguments.quiet)
-    std::cerr << "continue it with the same case and options, --out " << run->directory().string() << " and --resume\n";
+    std::cerr << "to continue: " << continuing_command(arguments, run->directory()) << "\n";
   return exit_code(status);
 }
 

@@ -46,7 +46,7 @@ struct SceneSums {
     return exec.template reduce<StiffestContacts>(
         "sum contacts", rock.count(),
         FindStiffestContacts<Real>{rock.read(), lists.pairs().read(), lists.walls().read(), laws.rock(), laws.walls(),
-                                   laws.rock_model(), laws.wall_model(), scene.dt, scene.damping_cap, laws.held_cap()});
+                                   laws.rock_model(), laws.wall_model(), scene.dt, scene.damping_cap});
   }
 
   /// @param booked  energies of what has left, of events and of walls

@@ -17,9 +17,8 @@ struct Gather {
   ConstWallPairView<Real> walls;
   Vec3d gravity;
   bool with_bonds;
-  Load* held;       ///< contacts and walls of each particle; null: no particle has sub-steps
-  double dt;        ///< step of the scene [s]
-  double held_cap;  ///< held_damping_cap() of the bonds [-]
+  Load* held;               ///< contacts and walls of each particle; null: no particle has sub-steps
+  const double* held_caps;  ///< of each particle, as in held_caps.hpp; null: 1 for all
 
   /// The total. What the sources lost is added to the losses of the particles.
   /// @param mass           [kg]
@@ -55,11 +54,6 @@ struct Gather {
       sum.add(walls.touching[e], walls.result[e], walls.result[e].dashpot);
     sum.give(p.losses[n]);
   }
-  /// beta_i of largest_dashpot() for a particle that takes this step.
-  template <class D>
-  GYRO_HD D damping_cap(const D& step) const {
-    return select(step < D(dt), D(held_cap), D(1));
-  }
   /// Contacts that these particles may have.
   GYRO_HD Index listed(Index from, Index end) const {
     return pairs.row_begin[end] - pairs.row_begin[from] + (walls.row_begin[end] - walls.row_begin[from]);
@@ -78,7 +72,7 @@ struct Gather {
   template <class Lanes, class D>
   GYRO_HD void add_contacts(const Lanes& lanes, const D& mass, ForceAndTorque<D>& to) const {
     const D dashpots = lanes.add_contacts(*this, to);
-    lanes.store(p.damping_rate, dashpots / (damping_cap(lanes.load(p.step)) * mass));
+    lanes.store(p.damping_rate, dashpots / (held_caps == nullptr ? mass : lanes.load(held_caps) * mass));
   }
 };
 

@@ -24,7 +24,7 @@ struct StiffestContacts {
 /// once for a wall; of translations and rotations the stiffer.
 ///
 ///   w^2 = (2 sum over partners + sum over walls) max((S_n + 2 S_t)/3, 2/3 S_t m R^2/I) / m
-///   limit = sqrt(4 - 2 b)/w,  b = min(beta beta_i, 2 H Q/m)     H the step, beta, beta_i and Q as in largest_dashpot()
+///   limit = sqrt(4 - 2 b)/w,  b = min(beta, 2 H Q/m)     H the step, beta and Q as in largest_dashpot()
 ///
 /// A map for Exec::reduce. No kernel of the step depends on it.
 template <class Real>
@@ -37,7 +37,6 @@ struct FindStiffestContacts {
   ContactModel rock_model, wall_model;
   double dt;           ///< step of the scene [s]
   double damping_cap;  ///< beta [-]
-  double held_cap;     ///< beta_i of particles with sub-steps [-]
 
   GYRO_HD StiffestContacts operator()(Index n) const {
     double sum = 0;
@@ -54,8 +53,7 @@ struct FindStiffestContacts {
       for (int k = 0; near.touching[e] && k < near.history[e].count; ++k, ++s.count)
         sum += stiffness(wall_model, on_wall[near.entry[e].wall], p.position[n].radius,
                          near.history[e].contact[k].history);
-    const double own_cap = p.step[n] < dt ? held_cap : 1;
-    const double damped = own_cap * smaller(damping_cap, 2 * dt * p.damping_rate[n]);
+    const double damped = smaller(damping_cap, 2 * dt * p.damping_rate[n]);
     s.share2 = dt * dt * sum / p.motion[n].mass / (4 - 2 * smaller(damped, 1.9));
     return s;
   }

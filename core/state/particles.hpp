@@ -97,7 +97,7 @@ struct Particles {
   Column<double> step;        ///< of its rock: the scene's over its sub-steps [s]
   Column<LostWork> losses;
   Column<double> damping_rate;  ///< of its contacts in their last evaluation: sum of ContactLoad::dashpot / (beta_i
-                                ///< mass), beta_i as in Gather::damping_cap() [1/s]
+                                ///< mass), beta_i as in held_caps.hpp [1/s]
   Column<ParticleId> id;
   Column<Index> block;  ///< of its rock; none for a sphere that belongs to no rock
 

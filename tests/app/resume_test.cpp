@@ -344,3 +344,18 @@ TEST_CASE("A signal or --max-walltime ends a run inside a window that takes long
   CHECK(place.gyrosim(run + "--resume --max-walltime '0.5 s'").code == 75);
   CHECK_THAT(read_text(place.path() / "r/log.txt"), Contains("resumed at t = 0.000000 s"));
 }
+
+TEST_CASE("An interrupted run prints the command that continues it, with its options, for a shell") {
+  const Workplace place;
+  const Outcome first = place.gyrosim(bounce + "--until '0.7 s' --threads 1 --max-walltime '20 ms' --out 'a run'");
+  REQUIRE(first.code == 75);
+  const std::string mark = "to continue: gyrosim ";
+  const std::size_t at = first.err.find(mark);
+  REQUIRE(at != std::string::npos);
+  const std::string command = first.err.substr(at + mark.size(), first.err.find('\n', at) - at - mark.size());
+  CHECK_THAT(command, Contains("--until 0.7 --max-walltime 0.02 --threads 1 --out 'a run' --resume"));
+  const double before = summary_of(place.path() / "a run")["simulated_seconds"];
+  const Outcome second = place.gyrosim(command);
+  CHECK((second.code == 75 || second.code == 0));
+  CHECK(summary_of(place.path() / "a run")["simulated_seconds"] > before);
+}

@@ -40,7 +40,8 @@ GYRO_HD T largest_dashpot(const ContactConstants<T>& law, const ContactMotion<T>
   return law.max_rate * own * c.mass / larger(all, T(1e-30));
 }
 
-/// beta_i of a particle whose rock takes several sub-steps in a step of the scene, in which contact forces are held.
+/// beta_i of a particle on few bonds (kernels/held_caps.hpp) whose rock takes several sub-steps in a step of the scene,
+/// in which contact forces are held.
 ///
 /// The velocity of a contact is that of one sub-step, in the middle of the vibration of a bond. A dashpot that is held
 /// for half the period of this vibration pushes it further: z = H c/m adds z/pi to it in each step, and the bond's
