@@ -22,7 +22,7 @@ struct Rates {
   int substeps = 1;  ///< of uniform
   double hold = 0;   ///< of given: largest step of the scene [s]
   /// Largest step of the scene / undamped stability limit of contacts, where rocks have sub-steps; at most 0.35 for
-  /// bonds with less than 5 % of critical damping, and 0.25 below 2 %.
+  /// bonds with less than 1 % of critical damping.
   double share = 0.5;
 };
 

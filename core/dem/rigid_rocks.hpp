@@ -82,7 +82,6 @@ class RigidRocks {
                  std::int32_t* lacking) {
     gather.with_bonds = false;
     gather.held = nullptr;
-    gather.held_caps = nullptr;
     exec.for_each_block("rigid rocks", launch(rock),
                         LoadRigid<Real>{.blocks = rock.block_view(),
                                         .gather = gather,
@@ -118,7 +117,6 @@ class RigidRocks {
                bool look, std::int32_t* overloaded) {
     gather.with_bonds = false;
     gather.held = nullptr;
-    gather.held_caps = nullptr;
     exec.for_each_block("rigid rocks", launch(rock),
                         AdvanceRigid<Real>{.blocks = rock.block_view(),
                                            .bodies = bodies_.data(),

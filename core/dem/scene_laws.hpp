@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/laws/bond/constants.hpp"
-#include "core/laws/contact/dashpots.hpp"
 #include "core/laws/contact/models.hpp"
 #include "core/laws/contact/scene_contacts.hpp"
 
@@ -19,8 +18,7 @@ class SceneLaws {
         rock_model_(gyro::rock_model(scene)),
         wall_model_(gyro::wall_model(scene)),
         bond_model_(scene.bond_model),
-        bond_(scene.bonds ? cast<Real>(bond_constants(scene)) : BondConstants<Real>{}),
-        held_cap_(scene.bonds ? held_damping_cap(scene.bonds->damping) : 1) {
+        bond_(scene.bonds ? cast<Real>(bond_constants(scene)) : BondConstants<Real>{}) {
     std::vector<ContactConstants<Real>> walls;
     for (const Wall& wall : scene.walls)
       walls.push_back(contact_constants<Real>(scene, scene.rock_material, wall.material));
@@ -33,14 +31,12 @@ class SceneLaws {
   ContactModel wall_model() const { return wall_model_; }
   BondModel bond_model() const { return bond_model_; }
   const BondConstants<Real>& bond() const { return bond_; }  ///< zero without bonds
-  double held_cap() const { return held_cap_; }              ///< cap of dashpots of rocks with sub-steps [-]
 
  private:
   ContactConstants<Real> rock_;
   ContactModel rock_model_, wall_model_;
   BondModel bond_model_;
   BondConstants<Real> bond_;
-  double held_cap_;
   typename Exec::template Buffer<ContactConstants<Real>> walls_;
 };
 

@@ -10,7 +10,6 @@
 #include "core/dem/wall_accounts.hpp"
 #include "core/dem/wall_motion.hpp"
 #include "core/kernels/advance_rocks.hpp"
-#include "core/kernels/held_caps.hpp"
 #include "core/kernels/pair_forces.hpp"
 #include "core/scene/dem.hpp"
 
@@ -83,7 +82,6 @@ class DemSolver final : public Dem {
   void advance_large_rock(const LargeRock& rock, Kernel kernel);
   Move move();
   Gather<Real> gather();
-  void prepare_held();
   void finish_step(bool kick);
   void watch();
   void rebuild_lists();
@@ -113,10 +111,9 @@ class DemSolver final : public Dem {
   WallAccounts<Exec> accounts_;
   Monitor<Exec> monitor_;
   StepsAhead<Exec> ahead_;
-  typename Exec::template Buffer<Load> held_;         ///< contact and wall forces of this step, while held()
-  typename Exec::template Buffer<double> held_caps_;  ///< FindHeldCaps of this window, while held()
-  GiveUp give_up_;                                    ///< may be empty
-  bool primed_ = false;                               ///< the particles have the loads of their present positions
+  typename Exec::template Buffer<Load> held_;  ///< contact and wall forces of this step, while held()
+  GiveUp give_up_;                             ///< may be empty
+  bool primed_ = false;                        ///< the particles have the loads of their present positions
 };
 
 }  // namespace gyro

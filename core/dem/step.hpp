@@ -36,7 +36,7 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
   monitor_.begin_window();
   ahead_.begin_window();
   accounts_.begin_window(walls_.poses());
-  if (held()) prepare_held();
+  if (held()) held_.resize(static_cast<std::size_t>(rock_.count()));
   if (!primed_) prime();
   if constexpr (Exec::runs_ahead)
     take_steps_ahead(window);
@@ -45,15 +45,6 @@ void DemSolver<Exec, Real>::advance(const Window& window, const MantlePath& path
   if (held()) advance_rocks({Motions::move_on, step_number(window, window.steps) - 1, 1, false});
   finish_step(true);
   close_window(window);
-}
-
-/// What particles that take sub-steps need in a window.
-template <class Exec, class Real>
-void DemSolver<Exec, Real>::prepare_held() {
-  held_.resize(static_cast<std::size_t>(rock_.count()));
-  held_caps_.resize(static_cast<std::size_t>(rock_.count()));
-  exec_.for_each("caps of held dashpots", rock_.count(),
-                 FindHeldCaps{rock_.read(), rock_.bond_index(), scene_.dt, laws_.held_cap(), held_caps_.data()});
 }
 
 template <class Exec, class Real>
@@ -155,8 +146,7 @@ Gather<Real> DemSolver<Exec, Real>::gather() {
           .walls = lists_.walls().read(),
           .gravity = scene_.gravity,
           .with_bonds = rock_.has_bonds(),
-          .held = held() ? held_.data() : nullptr,
-          .held_caps = held() ? held_caps_.data() : nullptr};
+          .held = held() ? held_.data() : nullptr};
 }
 
 /// @param kick  false: only the loads, before the first step of a scene

@@ -17,8 +17,7 @@ struct Gather {
   ConstWallPairView<Real> walls;
   Vec3d gravity;
   bool with_bonds;
-  Load* held;               ///< contacts and walls of each particle; null: no particle has sub-steps
-  const double* held_caps;  ///< of each particle, as in held_caps.hpp; null: 1 for all
+  Load* held;  ///< contacts and walls of each particle; null: no particle has sub-steps
 
   /// The total. What the sources lost is added to the losses of the particles.
   /// @param mass           [kg]
@@ -72,7 +71,7 @@ struct Gather {
   template <class Lanes, class D>
   GYRO_HD void add_contacts(const Lanes& lanes, const D& mass, ForceAndTorque<D>& to) const {
     const D dashpots = lanes.add_contacts(*this, to);
-    lanes.store(p.damping_rate, dashpots / (held_caps == nullptr ? mass : lanes.load(held_caps) * mass));
+    lanes.store(p.damping_rate, dashpots / mass);
   }
 };
 

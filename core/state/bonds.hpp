@@ -123,12 +123,6 @@ struct BondIndex {
   GYRO_HD bool in_one_rock(Index block_a, Index block_b) const {
     return begin != nullptr && block_a == block_b && block_a != none;
   }
-  /// Bonds of a particle that are not broken.
-  GYRO_HD Index count_of(Index n) const {
-    Index count = 0;
-    for (Index k = begin[n]; k < begin[n + 1]; ++k) count += state[bond[k]] != bond_broken;
-    return count;
-  }
   /// The bond of two particles, or none if they have none or it is broken.
   GYRO_HD Index between(Index a, Index b) const {
     for (Index k = begin[a]; k < begin[a + 1]; ++k)

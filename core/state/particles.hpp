@@ -96,8 +96,7 @@ struct Particles {
   Column<Load> bond_load;     ///< from bonds alone; empty without bonds
   Column<double> step;        ///< of its rock: the scene's over its sub-steps [s]
   Column<LostWork> losses;
-  Column<double> damping_rate;  ///< of its contacts in their last evaluation: sum of ContactLoad::dashpot / (beta_i
-                                ///< mass), beta_i as in held_caps.hpp [1/s]
+  Column<double> damping_rate;  ///< of its contacts in their last evaluation: sum of ContactLoad::dashpot / mass [1/s]
   Column<ParticleId> id;
   Column<Index> block;  ///< of its rock; none for a sphere that belongs to no rock
 

@@ -251,7 +251,7 @@ const std::vector<Key> run_keys = {
      .doc = "mixed: positions and velocities in double precision, laws in single precision; double: everything in double precision."},
     {.path = "numerics.hold", .type = quantity, .dimension = Dimension::time, .fallback = "auto", .range = positive, .words = "auto|off",
      .doc = "Time for which contact and wall forces are kept constant while the bonds of each rock take as many steps as they need; "
-            "auto: half the undamped stability limit of contacts (0.35 of it with bonds.damping below 0.05, 0.25 below 0.02; less in proportion with time.safety "
+            "auto: half the undamped stability limit of contacts (0.35 of it with bonds.damping below 0.01; less in proportion with time.safety "
             "below 0.7), rounded down so that coupling.interval is a whole number of holds; a number must not exceed that share. "
             "off, and auto with numerics.substeps above 1 or without bonds: bonds and contacts take the same steps."},
     {.path = "numerics.substeps", .type = integer, .fallback = "1", .range = {.low = 1, .high = 16},
