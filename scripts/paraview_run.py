@@ -22,7 +22,7 @@ def directory_of_run(file):
     for folder in (path, *path.parents):
         if (folder / "results.h5").exists():
             return folder
-    raise SystemExit(f"{file}: belongs to no run of gyrosim (there is no results.h5 beside it)")
+    raise RuntimeError(f"{file}: belongs to no run of gyrosim (there is no results.h5 beside it)")
 
 
 def opened_file():
@@ -30,7 +30,7 @@ def opened_file():
     source = pv.GetActiveSource()
     name = getattr(source, "FileName", None) if source else None
     if not name:
-        raise SystemExit("open a file of a run first, such as particles.pvd")
+        raise RuntimeError("open a file of a run first, such as particles.pvd")
     return name if isinstance(name, str) else name[0]
 
 

@@ -79,8 +79,9 @@ void add_run(CLI::App& command, RunArguments& a) {
                   "stop after this much wall-clock time")
       ->type_name("TIME");
   command.add_flag("--quiet", a.quiet, "no progress and no summary");
-  command.add_flag("--progress-json", a.json_progress,
-                   "progress as lines of JSON on standard error, for programs that start runs");
+  command.add_flag(
+      "--progress-json", a.json_progress,
+      "progress as lines of JSON on standard error, for programs that start runs; with --quiet nothing else is there");
 }
 
 void add_sweep(CLI::App& command, SweepArguments& a) {

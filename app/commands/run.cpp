@@ -7,8 +7,9 @@
 #include "app/sweep/shell_text.hpp"
 #include "core/base/errors.hpp"
 
+#include <array>
+#include <charconv>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -78,10 +79,9 @@ int exit_code(RunStatus status) {
 std::string continuing_command(const RunArguments& a, const std::filesystem::path& directory) {
   std::vector<std::string> words{"gyrosim", "run", a.input.file.string()};
   const auto add = [&](const char* option, const std::string& value) { words.insert(words.end(), {option, value}); };
-  const auto number = [](double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
+  const auto number = [](double value) {  // the shortest text that is this number
+    std::array<char, 32> text;
+    return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
   };
   for (const std::string& setting : a.input.set) add("--set", setting);
   if (a.until) add("--until", number(*a.until));
@@ -89,6 +89,7 @@ std::string continuing_command(const RunArguments& a, const std::filesystem::pat
   if (a.max_walltime) add("--max-walltime", number(*a.max_walltime));
   if (a.device != "auto") add("--device", a.device);
   if (a.threads > 0) add("--threads", std::to_string(a.threads));
+  if (a.json_progress) words.emplace_back("--progress-json");
   add("--out", directory.string());
   words.emplace_back("--resume");
   return shell_line(words);

@@ -4,16 +4,23 @@
 #include "app/sweep/local_engine.hpp"
 #include "app/sweep/results_files.hpp"
 #include "app/sweep/results_text.hpp"
+#include "app/sweep/shell_text.hpp"
 #include "app/sweep/slurm_job.hpp"
 #include "app/sweep/slurm_queue.hpp"
 #include "core/base/errors.hpp"
 #include "io/files/read_file.hpp"
 #include "io/run/replace_file.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace gyro {
 namespace {
@@ -47,8 +54,26 @@ void write_script(const fs::path& file, const std::string& text) {
                   none);
 }
 
+/// Other sweeps on the directory wait while it exists, so that two never write the same file.
+class Turn {
+ public:
+  explicit Turn(const fs::path& directory)
+      : file_(::open((directory / "sweep.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (file_ >= 0) ::flock(file_, LOCK_EX);
+  }
+  ~Turn() {
+    if (file_ >= 0) ::close(file_);
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  int file_;  ///< negative where it cannot be made, as on a file system that is read-only
+};
+
 void prepare(const fs::path& directory, const CheckedSweep& sweep) {
   make_directory(directory / "logs");
+  const Turn turn(directory);
   const std::vector<std::string> former = former_points(directory, sweep);
   if (!former.empty())
     std::cerr << former.size() << " points of an earlier call, as " << former.front()
@@ -57,6 +82,7 @@ void prepare(const fs::path& directory, const CheckedSweep& sweep) {
 }
 
 void write_results(const fs::path& directory, const CheckedSweep& sweep, bool quiet) {
+  const Turn turn(directory);
   const SweepResults results = collect(directory, sweep);
   replace_file(directory / "results.csv", results_csv(results), true);
   write_results_h5(results, directory / "results.h5");
@@ -79,8 +105,10 @@ void list_points(const fs::path& directory, const CheckedSweep& sweep) {
 
 /// The command that goes on with a sweep.
 std::string again(const SweepArguments& arguments, const fs::path& directory) {
-  return "gyrosim sweep " + arguments.file.string() + (arguments.out ? " --out " + directory.string() : "") +
-         (arguments.jobs > 0 ? " --jobs " + std::to_string(arguments.jobs) : "");
+  std::vector<std::string> words{"gyrosim", "sweep", arguments.file.string()};
+  if (arguments.out) words.insert(words.end(), {"--out", directory.string()});
+  if (arguments.jobs > 0) words.insert(words.end(), {"--jobs", std::to_string(arguments.jobs)});
+  return shell_line(words);
 }
 
 int run_here(const SweepArguments& arguments, const fs::path& directory, const CheckedSweep& sweep) {

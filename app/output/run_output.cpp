@@ -143,7 +143,7 @@ void RunOutput::write_snapshot(const Simulation& simulation) {
   frame->particles = simulation.dem().particles();
   if (input_.bonds) {
     frame->bonds = simulation.dem().bonds();
-    frame->fragments = history_.look(frame->time, simulation.fragments_inside(), frame->particles);
+    frame->fragments = history_.look(frame->time, simulation.fragments_inside(frame->particles), frame->particles);
   }
   add_walls(*frame, simulation);
   writer_.add([this, frame] {
@@ -220,6 +220,7 @@ void RunOutput::sync() {
   writer_.finish();
   require_own_();
   results_.sync();
+  if (fields_) fields_->sync();
 }
 
 void RunOutput::close() {

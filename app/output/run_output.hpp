@@ -81,8 +81,8 @@ class RunOutput {
   };
 
   /// A snapshot with all that its files need: 124 bytes a particle, 32 a bond, 128 a fragment, and the moved walls. At
-  /// most two exist: one that is written, for which its writer has one file at a time as 32-bit numbers as well, and
-  /// one that waits or is being made.
+  /// most two exist: one that is written, and one that waits or is being made. The writer of .vtp files has one file at
+  /// a time as 32-bit numbers as well, that of fields.h5 a whole frame, and the one before.
   struct Frame {
     double time;  ///< [s]
     ParticleSnapshot particles;

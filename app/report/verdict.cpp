@@ -29,7 +29,7 @@ void judge_end(const RunData& run, Verdict& v) {
     case RunStatus::done:
       return;
     case RunStatus::interrupted:
-      v.tone = Tone::caution;
+      if (v.tone == Tone::good) v.tone = Tone::caution;
       v.headline = "Interrupted: " + v.headline;
       v.trust.insert(v.trust.begin(), "The run was interrupted" + at + " and can be continued with --resume; the " +
                                           "figures are those up to there." + reason);
@@ -58,6 +58,12 @@ void judge_machine(const RunData& run, Verdict& v) {
     v.trust.push_back("The standard errors come from " + std::to_string(s.steady->blocks) +
                       " blocks of whole gyrations. They cover the scatter of this one run, and not what another seed "
                       "of the random rocks or another model would change.");
+    constexpr int enough = 20;  // gyrations, as --until steady asks for
+    if (static_cast<int>(s.steady->gyrations) < enough) {
+      v.tone = Tone::caution;
+      v.trust.push_back("Fewer than " + std::to_string(enough) +
+                        " gyrations are few: the errors may be larger than they look.");
+    }
     return;
   }
   v.tone = Tone::caution;
@@ -107,14 +113,16 @@ void judge_energy(const Summary& s, Verdict& v) {
   if (!s.energy_residual_fraction || *s.energy_residual_fraction == 0) return;  // 0: there is no rock
   const double residual = std::abs(*s.energy_residual_fraction);
   const std::string text = "The energy balance closes within " + percent(residual);
+  const std::string measure = " of the work done, or of the largest energy if that is larger";
   if (residual <= good) {
-    v.trust.push_back(text + " of the work done: the time step is fine enough for power and energy.");
+    v.trust.push_back(text + measure + ": the time step is fine enough for power and energy.");
     return;
   }
   if (v.tone == Tone::good) v.tone = Tone::caution;
-  v.trust.push_back(text + (residual <= guard ? " of the work done, which is more than usual (1\u00a0%): power and "
-                                                "energy are uncertain by as much; a smaller time step helps."
-                                              : " of the work done only: power and energy are wrong by as much."));
+  v.trust.push_back(text + measure +
+                    (residual <= guard ? ". That is more than usual (1\u00a0%): power and energy are uncertain; a "
+                                         "smaller time step helps."
+                                       : ". That is too much: power and energy cannot be trusted."));
 }
 
 void judge_resolution(const Summary& s, Verdict& v) {

@@ -183,10 +183,9 @@ void Simulation::insert(std::span<const NewRock> rocks) {
   for (const NewRock& rock : rocks) {
     state_.particles_inserted += static_cast<std::int64_t>(rock.particles.size());
     if (setup_.scene.bonds) state_.bonds_inserted += static_cast<std::int64_t>(rock.bonds.size());
-    if (rock.id != none) {
-      const auto number = static_cast<std::size_t>(rock.id);
-      if (state_.rock_fed.size() <= number) state_.rock_fed.resize(number + 1);
-      state_.rock_fed[number] = time();
+    if (rock.id != none && state_.step > 0) {  // the feed gives out ascending numbers
+      state_.fed_rocks.push_back(rock.id);
+      state_.fed_times.push_back(time());
     }
     for (const NewParticle& p : rock.particles)
       state_.mass_inside += p.density * 4 / 3 * std::numbers::pi * p.radius * p.radius * p.radius;
@@ -246,10 +245,9 @@ void Simulation::count_product(const ParticleSnapshot& particles, const Fragment
   open_balances();
 }
 
-std::vector<FragmentRecord> Simulation::fragments_inside() const {
+std::vector<FragmentRecord> Simulation::fragments_inside(const ParticleSnapshot& particles) const {
   std::vector<FragmentRecord> inside;
   if (!ledger_.extremes().finite) return inside;
-  const ParticleSnapshot particles = dem_->particles();
   const FragmentTable table = fragment_table(particles);
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (product_ && product_->has_left(particles.id[static_cast<std::size_t>(table.rows[row].first_particle)]))
@@ -262,8 +260,9 @@ std::vector<FragmentRecord> Simulation::fragments_inside() const {
 }
 
 double Simulation::fed_at(RockId rock) const {
-  const auto number = static_cast<std::size_t>(rock);
-  return rock != none && number < state_.rock_fed.size() ? state_.rock_fed[number] : 0;
+  const auto found = std::lower_bound(state_.fed_rocks.begin(), state_.fed_rocks.end(), rock);
+  if (found == state_.fed_rocks.end() || *found != rock) return 0;
+  return state_.fed_times[static_cast<std::size_t>(found - state_.fed_rocks.begin())];
 }
 
 double Simulation::discharged_mass() const {

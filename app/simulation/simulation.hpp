@@ -103,7 +103,9 @@ class Simulation {
   /// Fragments that inspections outside of advance() found to have left, since the last call.
   std::vector<FragmentRecord> take_left() { return std::exchange(left_, {}); }
   /// The fragments that are in the scene now and have not left; none where a position is not finite.
-  std::vector<FragmentRecord> fragments_inside() const;
+  std::vector<FragmentRecord> fragments_inside() const { return fragments_inside(dem_->particles()); }
+  /// The same. @param particles  as they are now
+  std::vector<FragmentRecord> fragments_inside(const ParticleSnapshot& particles) const;
   std::int64_t bonds_initial() const { return state_.bonds_inserted; }
   /// What must be kept to continue bit for bit, between windows of a sound run.
   SavedState save() const;
@@ -117,7 +119,8 @@ class Simulation {
     std::int64_t inspections = 0;  ///< that were due so far
     std::int64_t particles_inserted = 0, bonds_inserted = 0, fragments = 0;
     double start_mass = 0, mass_inside = 0, largest_fragment = 0;  ///< [kg]
-    std::vector<double> rock_fed;                                  ///< time at which each rock came, by its number [s]
+    std::vector<RockId> fed_rocks;                                 ///< that came after the start, ascending
+    std::vector<double> fed_times;                                 ///< when each of them came [s]
 
     template <class F, class S>
     static constexpr void for_each_field(F&& f, S& s) {
@@ -132,7 +135,8 @@ class Simulation {
       f("start_mass", s.start_mass);
       f("mass_inside", s.mass_inside);
       f("largest_fragment", s.largest_fragment);
-      f("rock_fed", s.rock_fed);
+      f("fed_rocks", s.fed_rocks);
+      f("fed_times", s.fed_times);
     }
   };
 
@@ -147,7 +151,7 @@ class Simulation {
   void close_balances(const WindowResult& result);
   void open_balances();
   bool inspection_due() const;
-  double fed_at(RockId rock) const;  ///< time at which a rock came [s]; 0 of spheres that belong to no rock
+  double fed_at(RockId rock) const;  ///< time at which a rock came [s]; 0 for all that there was at the start
   void count_product(const ParticleSnapshot& particles, const FragmentTable& table);
   MassCount mass_count(std::int64_t inside) const;
 

@@ -83,7 +83,8 @@ std::vector<EndedChild> ChildPrograms::take_ended() {
     const pid_t found = ::waitpid(child, &status, WNOHANG);
     if (found == 0 || (found < 0 && errno == EINTR)) return false;
     const int signal = found > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    ended.push_back({child, signal != 0 ? 128 + signal : WEXITSTATUS(status), signal});
+    constexpr int unknown = 1;  // the child is not ours any more
+    ended.push_back({child, signal != 0 ? 128 + signal : found < 0 ? unknown : WEXITSTATUS(status), signal});
     return true;
   });
   return ended;

@@ -92,9 +92,12 @@ void LocalEngine::start_next() {
   due_.pop_front();
   // Another sweep may have run it while this one waited for its turn.
   const PointState state = state_of(directory_, sweep_, point);
-  if (state == PointState::done || state == PointState::running) {
-    (state == PointState::done ? outcome_.done : outcome_.elsewhere) += 1;
-    return say(state == PointState::done ? "done elsewhere:" : "runs elsewhere:", point.name);
+  if (!is_due(state, options_.retry)) {
+    (state == PointState::done      ? outcome_.done
+     : state == PointState::stopped ? outcome_.stopped
+     : state == PointState::failed  ? outcome_.failed
+                                    : outcome_.elsewhere) += 1;
+    return say(std::string(to_string(state)) + " elsewhere:", point.name);
   }
   const fs::path log = log_file(directory_, point.name);
   std::error_code none;

@@ -85,7 +85,8 @@ std::string results_text(const SweepResults& results) {
       rows[s + 1].push_back(with_error(settings[s].figures[static_cast<std::size_t>(figure)], headline.scale));
   }
   return std::string("\nMeans and standard errors over the seeds that are done, ") +
-         (steady ? "of the steady part of each run\n" : "of whole runs\n") + aligned(rows);
+         (steady ? "power to energy of the steady part of each run, the others of whole runs\n" : "of whole runs\n") +
+         aligned(rows);
 }
 
 }  // namespace gyro

@@ -10,7 +10,8 @@ namespace gyro {
 /// Fragments at one time, and where each comes from.
 struct FragmentSnapshot {
   std::vector<FragmentRecord> record;
-  std::vector<ParticleId> parent;  ///< number of the fragment that it broke off; its own if it is a rock as it was fed
+  std::vector<ParticleId> parent;  ///< number of the fragment that it broke off; its own if it is a rock as it was fed,
+                                   ///< or broke before the first look at its rock
   std::vector<double> formed;  ///< time of the look that first found it as it is; of a whole rock, when it was fed [s]
 
   std::size_t size() const { return record.size(); }

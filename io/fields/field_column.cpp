@@ -7,9 +7,10 @@
 namespace gyro {
 namespace {
 
-// A frame has some four chunks: fewer would fill up more, more would cost time and space for their index.
+// A frame like the first has some four chunks: fewer would fill up more, more would cost time and space for their
+// index.
 constexpr std::size_t smallest_chunk = 1024, largest_chunk = 16384;  // rows
-constexpr int compression = 4;  // zlib's level; higher ones are slower and save 1 %
+constexpr int compression = 4;                                       // zlib's level
 
 std::size_t chunk_rows(std::size_t rows) {
   return std::clamp(std::bit_ceil(rows / 4 + 1), smallest_chunk, largest_chunk);

@@ -18,7 +18,7 @@ namespace gyro {
 /// like the rows stored last, as walls that stand still do, is not stored again.
 class FieldColumn {
  public:
-  /// Creates the dataset. @param rows  of a typical frame, from which the size of a chunk follows
+  /// Creates the dataset. @param rows  of the first frame, from which the size of a chunk follows
   static void create(hdf5::File& file, const std::string& name, hdf5::Number number, int columns, std::size_t rows);
   explicit FieldColumn(std::string name) : name_(std::move(name)) {}
 

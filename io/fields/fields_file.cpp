@@ -40,27 +40,18 @@ std::vector<SnapshotField> fields_of(const Kind& kind) {
   return fields;
 }
 
-/// Removes the mark of a writer that was killed. @throws BadInput for a damaged file
-void repair(const std::filesystem::path& path) {
-  try {
-    hdf5::File::modify(path).close();
-  } catch (const OutputError& problem) {
-    throw BadInput(path.string() + ": is damaged (" + problem.what() + "); without it, the run starts a new one");
-  }
-}
+constexpr const char* advice = "restore the file, or use --overwrite to start the run again";
 
-/// Frames that a resumed run keeps. @throws BadInput for a frame that it did not write
-std::int64_t kept_frames(const hdf5::File& file, const std::filesystem::path& path,
-                         const std::vector<double>& earlier) {
+/// @throws BadInput unless a file has the frames that a resumed run keeps
+void require_frames(const hdf5::File& file, const std::vector<double>& earlier) {
   const std::int64_t written = frame_count(file, particles.group);
   const std::vector<double> times = file.dataset(std::string(particles.group) + "/Steps/Values").read();
-  for (std::int64_t frame = 0; frame < written; ++frame) {
-    const double time = times.at(static_cast<std::size_t>(frame));
-    if (time > earlier.back()) return frame;
-    if (std::find(earlier.begin(), earlier.end(), time) == earlier.end())
-      throw BadInput(path.string() + ": has a frame at " + std::to_string(time) + " s, which this run did not write");
-  }
-  return written;
+  if (written < static_cast<std::int64_t>(earlier.size()) || times.size() < earlier.size())
+    throw BadInput("has " + std::to_string(written) + " frames, not the " + std::to_string(earlier.size()) +
+                   " before the checkpoint");
+  for (std::size_t frame = 0; frame < earlier.size(); ++frame)
+    if (times[frame] != earlier[frame])
+      throw BadInput("has a frame at " + std::to_string(times[frame]) + " s, which this run did not write");
 }
 
 /// A name for a group of fields.h5 that VTK opens by itself.
@@ -79,10 +70,11 @@ FieldsFile::FieldsFile(std::filesystem::path directory, const std::vector<double
   std::error_code error;
   std::filesystem::create_directories(directory_ / folder, error);
   if (error) throw OutputError((directory_ / folder).string() + ": cannot make the directory: " + error.message());
-  if (!earlier.empty() && std::filesystem::exists(file()))
-    keep_frames(earlier);
-  else
+  std::filesystem::remove(file().string() + ".tmp", error);
+  if (earlier.empty())
     std::filesystem::remove(file(), error);
+  else
+    keep_frames(earlier);
 }
 
 IndexFile& FieldsFile::index(const std::string& kind) {
@@ -131,11 +123,28 @@ void FieldsFile::write(const SnapshotFrame& frame) {
   add_to_indices(hdf5::File::open_closed(file()), frames_++);
 }
 
+void FieldsFile::sync() const {
+  if (std::filesystem::exists(file())) sync_file(file());
+}
+
 /// Lets only the frames count that the run keeps, and writes the indices of these.
 void FieldsFile::keep_frames(const std::vector<double>& earlier) {
-  repair(file());
-  hdf5::File counts = hdf5::File::change(file());
-  frames_ = kept_frames(counts, file(), earlier);
+  try {
+    if (!std::filesystem::exists(file())) throw BadInput("is missing");
+    hdf5::File::modify(file()).close();  // removes the mark of a writer that was killed
+    hdf5::File counts = hdf5::File::change(file());
+    require_frames(counts, earlier);
+    count_frames(counts, static_cast<std::int64_t>(earlier.size()));
+    counts.close();
+  } catch (const BadInput& problem) {
+    throw BadInput(file().string() + ": " + problem.what() + "; " + advice);
+  } catch (const OutputError& problem) {
+    throw BadInput(file().string() + ": is damaged (" + problem.what() + "); " + advice);
+  }
+}
+
+void FieldsFile::count_frames(hdf5::File& counts, std::int64_t frames) {
+  frames_ = frames;
   of_all_.write({});
   for (const Kind& kind : kinds) {
     if (!counts.contains(kind.group)) continue;
@@ -143,7 +152,6 @@ void FieldsFile::keep_frames(const std::vector<double>& earlier) {
     index(kind.name).write({});
   }
   for (std::int64_t frame = 0; frame < frames_; ++frame) add_to_indices(counts, frame);
-  counts.close();
 }
 
 void FieldsFile::add_to_indices(const hdf5::File& file, std::int64_t number) {

@@ -26,12 +26,15 @@ namespace gyro {
 class FieldsFile {
  public:
   /// @param directory  of the run
-  /// @param earlier  times of the frames that a resumed run keeps [s]; later ones are written over
-  /// @throws BadInput if the file is damaged or has other frames
+  /// @param earlier  times of the frames that a resumed run keeps [s]; later ones no longer count, and their rows
+  /// remain unused
+  /// @throws BadInput if the file is missing or damaged, or has other frames
   explicit FieldsFile(std::filesystem::path directory, const std::vector<double>& earlier = {});
   /// Takes the walls that are the same in all frames. To be called before the first frame.
   void take_fixed(std::span<const PosedWall> walls);
   void write(const SnapshotFrame& frame);
+  /// Waits until all frames are on the disk.
+  void sync() const;
 
  private:
   /// What a frame has of one kind.
@@ -43,6 +46,7 @@ class FieldsFile {
   void create(const std::vector<Part>& parts);
   void add_to_indices(const hdf5::File& file, std::int64_t number);
   void keep_frames(const std::vector<double>& earlier);
+  void count_frames(hdf5::File& counts, std::int64_t frames);
   IndexFile& index(const std::string& kind);
   std::filesystem::path file() const { return directory_ / "fields.h5"; }
 

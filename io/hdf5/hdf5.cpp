@@ -255,10 +255,12 @@ void File::set_attribute(std::string_view owner, std::string_view name, std::str
 }
 
 void File::set_attribute(std::string_view owner, std::string_view name, double value) {
+  const InLibrary in_library;
   write_attribute(owner, name, H5T_NATIVE_DOUBLE, &value);
 }
 
 void File::set_attribute(std::string_view owner, std::string_view name, std::uint64_t value) {
+  const InLibrary in_library;
   write_attribute(owner, name, H5T_NATIVE_UINT64, &value);
 }
 
@@ -276,6 +278,7 @@ void File::set_fixed_text(std::string_view owner, std::string_view name, std::st
 }
 
 void File::set_integer(std::string_view owner, std::string_view name, std::int64_t value) {
+  const InLibrary in_library;
   write_attribute(owner, name, H5T_STD_I64LE, &value);
 }
 

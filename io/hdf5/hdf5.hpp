@@ -40,7 +40,8 @@ enum class Number { float32, float64, uint8, int32, uint32, int64 };
 /// The type of numbers in memory.
 template <class T>
 constexpr Number number_of() {
-  static_assert(std::is_arithmetic_v<T>);
+  static_assert(std::is_arithmetic_v<T> &&
+                (sizeof(T) == 4 || sizeof(T) == 1 || (sizeof(T) == 8 && std::is_signed_v<T>)));
   if constexpr (std::is_floating_point_v<T>) return sizeof(T) == 4 ? Number::float32 : Number::float64;
   if constexpr (sizeof(T) == 1) return Number::uint8;
   if constexpr (sizeof(T) == 8) return Number::int64;

@@ -95,7 +95,7 @@ constexpr Field<Fragments> fragment_fields[] = {
     field<std::uint32_t, Fragments>(
         "parent", "1", [](const Fragments& s, Row f) { return s.parent[f]; },
         "number of the fragment of the snapshot before, or of an earlier one, that it broke off; its own for a rock "
-        "as it was fed"),
+        "as it was fed, and for what broke before the first snapshot of its rock"),
     field<std::int32_t, Fragments>(
         "rock", "1", [](const Fragments& s, Row f) { return s.record[f].rock; },
         "number of the rock that the fragment belonged to"),

@@ -347,13 +347,14 @@ TEST_CASE("A signal or --max-walltime ends a run inside a window that takes long
 
 TEST_CASE("An interrupted run prints the command that continues it, with its options, for a shell") {
   const Workplace place;
-  const Outcome first = place.gyrosim(bounce + "--until '0.7 s' --threads 1 --max-walltime '20 ms' --out 'a run'");
+  const Outcome first =
+      place.gyrosim(bounce + "--until '0.123456789 s' --threads 1 --max-walltime '20 ms' --out 'a run'");
   REQUIRE(first.code == 75);
   const std::string mark = "to continue: gyrosim ";
   const std::size_t at = first.err.find(mark);
   REQUIRE(at != std::string::npos);
   const std::string command = first.err.substr(at + mark.size(), first.err.find('\n', at) - at - mark.size());
-  CHECK_THAT(command, Contains("--until 0.7 --max-walltime 0.02 --threads 1 --out 'a run' --resume"));
+  CHECK_THAT(command, Contains("--until 0.123456789 --max-walltime 0.02 --threads 1 --out 'a run' --resume"));
   const double before = summary_of(place.path() / "a run")["simulated_seconds"];
   const Outcome second = place.gyrosim(command);
   CHECK((second.code == 75 || second.code == 0));

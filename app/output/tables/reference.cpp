@@ -77,7 +77,14 @@ OutputGroup fields_group() {
   add("Steps/PointDataOffsets/NAME", "1", "1", "first row of frame k in PointData/NAME");
   add("CellData/NAME", "-", "1 or 3", "field of the bonds or triangles, as in the files above");
   add("Steps/CellDataOffsets/NAME", "1", "1", "first row of frame k in CellData/NAME");
-  add("Lines/NumberOfCells", "1", "1", "cells of frame k; likewise for Vertices and Polygons");
+  add("Steps/PartOffsets", "1", "1", "k: a frame has one part");
+  add("Steps/NumberOfParts", "1", "1", "1");
+  add("Lines/NumberOfCells", "1", "1", "cells of frame k; likewise, here and below, for Vertices, Polygons and Strips");
+  add("Lines/NumberOfConnectivityIds", "1", "1", "points of all cells of frame k");
+  add("Lines/Offsets", "1", "1",
+      "places in Connectivity where a cell begins, and the last one's end, counted from the frame's first");
+  add("Steps/CellOffsets", "1", "4",
+      "for Vertices, Lines, Polygons and Strips: first row of frame k in Offsets, less k");
   add("Lines/Connectivity", "1", "1", "points of the cells of all frames, one cell after the other");
   add("Steps/ConnectivityIdOffsets", "1", "4",
       "first row of frame k in Connectivity, for Vertices, Lines, Polygons and Strips");
@@ -93,7 +100,7 @@ OutputGroup summary_group() {
 
 /// How many numbers a row has: "1", "3", "1 per sieve".
 std::string numbers_text(const OutputEntry& e) {
-  return e.width == "1" || e.width == "3" ? e.width : "1 per " + e.width;
+  return std::isdigit(static_cast<unsigned char>(e.width[0])) != 0 ? e.width : "1 per " + e.width;
 }
 
 /// "W, mean; with a gyrating wall"

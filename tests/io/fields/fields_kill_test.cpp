@@ -14,12 +14,16 @@ namespace {
 
 constexpr std::size_t particle_count = 3000;
 
+void write_frame(FieldsFile& fields, int frame) {
+  const ParticleSnapshot particles = particles_at(frame, particle_count);
+  const BondSnapshot bonds = bonds_at(frame, particle_count - 1);
+  fields.write({.time = static_cast<double>(frame), .particles = &particles, .bonds = &bonds});
+}
+
 [[noreturn]] void write_forever(const std::filesystem::path& directory, int pipe_end) {
   FieldsFile fields(directory);
   for (int frame = 0;; ++frame) {
-    const ParticleSnapshot particles = particles_at(frame, particle_count);
-    const BondSnapshot bonds = bonds_at(frame, particle_count - 1);
-    fields.write({.time = static_cast<double>(frame), .particles = &particles, .bonds = &bonds});
+    write_frame(fields, frame);
     if (frame == 3 && ::write(pipe_end, "b", 1) != 1) ::_exit(1);
   }
 }
@@ -65,7 +69,11 @@ TEST_CASE("Frames can be read while more are written, and after the writer was k
         static_cast<useconds_t>(wait), [&](int pipe_end) { write_forever(scratch.path(), pipe_end); },
         [&] { CHECK(count_good_frames(open_between_frames(path)) >= 4); });
     hdf5::File::modify(path).close();  // as a resumed run and h5clear do
-    CHECK(count_good_frames(hdf5::File::open_closed(path)) >= 4);
+    const std::int64_t left = count_good_frames(hdf5::File::open_closed(path));
+    CHECK(left >= 4);
+    FieldsFile resumed(scratch.path(), {0, 1, 2});  // from a checkpoint before the last frames
+    write_frame(resumed, 3);
+    CHECK(count_good_frames(hdf5::File::open_closed(path)) == 4);
   }
 }
 
@@ -74,12 +82,21 @@ TEST_CASE("A reader that keeps the file open does not keep the writer out") {
   FieldsFile fields(scratch.path());
   const ParticleSnapshot particles = particles_at(0, 10);
   fields.write({.time = 0, .particles = &particles});
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
   const pid_t reader = ::fork();
   if (reader == 0) {
-    const hdf5::File open = hdf5::File::open_closed(scratch.path() / "fields.h5");
-    for (;;) ::pause();
+    try {
+      const hdf5::File open = hdf5::File::open_closed(scratch.path() / "fields.h5");
+      if (::write(ends[1], "b", 1) == 1)
+        for (;;) ::pause();
+    } catch (const std::exception&) {  // the parent reads nothing
+    }
+    ::_exit(1);
   }
-  ::usleep(100000);
+  ::close(ends[1]);
+  char opened = 0;
+  REQUIRE(::read(ends[0], &opened, 1) == 1);
   const ParticleSnapshot next = particles_at(1, 10);
   CHECK_NOTHROW(fields.write({.time = 1, .particles = &next}));
   CHECK_NOTHROW(FieldsFile(scratch.path(), {0}));
