@@ -13,7 +13,7 @@ namespace {
 /// A page must be named as one: a slip such as `--out RUNDIR/results.h5` would replace results of hours.
 void require_page_name(const std::filesystem::path& file) {
   if (file.extension() != ".html" && file.extension() != ".htm")
-    throw BadInput("--out " + file.string() + ": is no name of a page; give one that ends in .html");
+    throw BadInput("--out " + file.string() + ": does not end in .html; give a name that does");
   if (std::filesystem::is_directory(file))
     throw BadInput("--out " + file.string() + ": is a directory; give the name of a file");
 }

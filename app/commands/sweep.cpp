@@ -103,7 +103,7 @@ void list_points(const fs::path& directory, const CheckedSweep& sweep) {
   std::cout << "\n";
 }
 
-/// The command that goes on with a sweep.
+/// The command that continues a sweep.
 std::string again(const SweepArguments& arguments, const fs::path& directory) {
   std::vector<std::string> words{"gyrosim", "sweep", arguments.file.string()};
   if (arguments.out) words.insert(words.end(), {"--out", directory.string()});

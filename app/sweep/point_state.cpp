@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sweep/point_state.hpp"
 
+#include "app/output/steady_goal.hpp"
 #include "io/case/parts.hpp"
 #include "io/files/read_file.hpp"
 #include "io/run/run_lock.hpp"
@@ -22,13 +23,15 @@ bool is_known(const std::optional<Estimate>& figure, double error) {
   return figure && figure->error <= error * std::abs(figure->value);
 }
 
-/// Whether a run that is done has reached the end that the sweep asks for now.
+/// Whether a finished run reaches the end that the sweep asks for, which may have changed since; judged as
+/// `run --until steady` does.
 bool has_ended(const fs::path& run, double simulated, const CheckedSweep& sweep, const CheckedPoint& point) {
   if (simulated >= point.end * (1 - same_time)) return true;
   if (!sweep.until.steady) return false;
   const double error = *sweep.until.steady;
   const std::optional<SteadyFigures> steady = load_summary(run).steady;
-  return steady && is_known(steady->throughput_tph, error) && is_known(steady->crushing_power, error) &&
+  return steady && steady->gyrations >= static_cast<std::int64_t>(gyrations_of_errors) &&
+         is_known(steady->throughput_tph, error) && is_known(steady->crushing_power, error) &&
          is_known(steady->p80, error);
 }
 

@@ -22,7 +22,7 @@ struct SweepFigure {
 struct SweepKey {
   std::string key;          ///< "crusher.closed_side_setting"
   std::string short_name;   ///< as in the names of points, "css"
-  std::string units;        ///< SI unit, "1" for a pure number; "-" if the values are no numbers
+  std::string units;        ///< SI unit, "1" for a pure number; "-" for text
   std::string description;  ///< of the key
 };
 

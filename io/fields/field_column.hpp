@@ -32,7 +32,6 @@ class FieldColumn {
   std::int64_t append(const hdf5::File& file, const std::vector<T>& values) {
     return append(file, std::as_bytes(std::span(values)), hdf5::number_of<T>());
   }
-  const std::string& name() const { return name_; }
 
  private:
   std::int64_t store(const hdf5::File& file, std::span<const std::byte> values, hdf5::Number number);

@@ -32,8 +32,6 @@ class FieldGroup {
   void append(const hdf5::File& file, const PolyData& data);
   /// Makes it count. @param file  opened by change()
   void count(hdf5::File& file);
-  const std::string& name() const { return name_; }
-  std::int64_t frames() const { return frames_; }
 
  private:
   struct Cells {

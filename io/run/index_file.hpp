@@ -23,7 +23,6 @@ class IndexFile {
   void add(std::string_view frame);
   /// Replaces the file. @param frames  text of each. @throws OutputError
   void write(std::span<const std::string> frames);
-  const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;

@@ -23,10 +23,6 @@ std::string line_class(const Curve& curve) {
   return name;
 }
 
-double error_at(const Curve& curve, std::size_t k) {
-  return k < curve.error.size() && std::isfinite(curve.error[k]) ? curve.error[k] : 0;
-}
-
 struct Limits {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void add(double value, bool log) {
@@ -57,7 +53,7 @@ Frame frame_of(const LinePlot& plot) {
   for (const Curve& c : plot.curves)
     for (std::size_t k = 0; k < c.x.size(); ++k) {
       x.add(c.x[k], plot.x.log);
-      for (const double side : {-1.0, 1.0}) y.add(c.y[k] + side * error_at(c, k), plot.y.log);
+      y.add(c.y[k], plot.y.log);
     }
   for (const Area& a : plot.areas)
     for (std::size_t k = 0; k < a.x.size(); ++k) {
@@ -104,25 +100,6 @@ std::string outline_of(const Frame& f, const std::vector<double>& x, const std::
 
 std::string svg_path(const std::string& path, const std::string& css_class) {
   return path.empty() ? "" : "<path class=\"" + css_class + "\" d=\"" + path + "\"/>";
-}
-
-std::string svg_errors(const Frame& f, const Curve& c) {
-  std::string svg;
-  if (c.error.empty()) return svg;
-  if (!c.points) {
-    std::vector<double> low(c.y), high(c.y);
-    for (std::size_t k = 0; k < c.y.size(); ++k) low[k] -= error_at(c, k), high[k] += error_at(c, k);
-    return svg_path(outline_of(f, c.x, low, high), "band c" + std::to_string(c.style));
-  }
-  constexpr double cap = 4;
-  const std::string css = "bar c" + std::to_string(c.style);
-  for (std::size_t k = 0; k < c.x.size(); ++k) {
-    if (!std::isfinite(c.y[k]) || !(error_at(c, k) > 0)) continue;
-    const double x = f.x.at(c.x[k]), low = f.y.at(c.y[k] - error_at(c, k)), high = f.y.at(c.y[k] + error_at(c, k));
-    svg += svg_line(x, low, x, high, css) + svg_line(x - cap, low, x + cap, low, css) +
-           svg_line(x - cap, high, x + cap, high, css);
-  }
-  return svg;
 }
 
 std::string svg_points(const Frame& f, const Curve& c) {
@@ -230,7 +207,6 @@ std::string figure(const LinePlot& plot) {
   for (const Area& a : plot.areas)
     inside += svg_path(outline_of(f, a.x, a.low, a.high), "area c" + std::to_string(a.style));
   for (const Curve& c : plot.curves) {
-    inside += svg_errors(f, c);
     if (c.line != Curve::Line::none && !(c.points && c.line == Curve::Line::faint))
       inside += svg_path(path_of(f, c.x, c.y), line_class(c));
     inside += svg_points(f, c);

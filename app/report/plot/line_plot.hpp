@@ -17,16 +17,15 @@ struct Axis {
   double step = 0;                            ///< from tick to tick of a linear axis; 0: one that suits
 };
 
-/// A line, or points with error bars.
+/// A line, or points.
 struct Curve {
   enum class Line { plain, faint, dashed, none };
 
-  std::string name = {};        ///< in the legend; empty: not in it
-  std::vector<double> x, y;     ///< a value that is not finite breaks the line
-  int style = 0;                ///< colour and dashes
-  Line line = Line::plain;      ///< faint: thin and pale; dashed: an estimate; none: points only
-  std::vector<double> error{};  ///< standard errors: a band around the line, bars of points; empty: none
-  bool points = false;          ///< a mark at each point
+  std::string name = {};     ///< in the legend; empty: not in it
+  std::vector<double> x, y;  ///< a value that is not finite breaks the line
+  int style = 0;             ///< colour and dashes
+  Line line = Line::plain;   ///< faint: thin and pale; dashed: an estimate; none: points only
+  bool points = false;       ///< a mark at each point
 };
 
 /// The area between two curves over the same x.

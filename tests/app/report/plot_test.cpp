@@ -2,7 +2,6 @@
 #include "app/report/plot/decimate.hpp"
 #include "app/report/plot/heat_map.hpp"
 #include "app/report/plot/line_plot.hpp"
-#include "app/report/plot/parameter_plot.hpp"
 #include "app/report/plot/polar_plot.hpp"
 #include "app/report/plot/ticks.hpp"
 #include "tests/catch.hpp"
@@ -91,12 +90,11 @@ TEST_CASE("A line plot has title, units, legend and one path for each curve, bro
   plot.x.label = "time [s]";
   plot.y.label = "speed [rpm]";
   plot.curves.push_back({.name = "one & two", .x = {0, 1, 2, 3}, .y = {1, unknown, 3, 4}});
-  plot.curves.push_back({.name = "", .x = {0, 3}, .y = {2, 2}, .style = 1, .error = {0.5, 0.5}});
+  plot.curves.push_back({.name = "", .x = {0, 3}, .y = {2, 2}, .style = 1});
   const std::string html = figure(plot);
   CHECK_THAT(html, Contains("<figcaption>Speed &lt;of&gt; the &quot;eccentric&quot;</figcaption>"));
   CHECK_THAT(html, Contains(">time [s]</text>") && Contains(">speed [rpm]</text>") && Contains("one &amp; two</li>"));
   CHECK(count(html, "<path class=\"line c0\"") == 1);
-  CHECK(count(html, "<path class=\"band c1\"") == 1);
   CHECK(count(html, "<li>") == 1);
   CHECK_THAT(html, !Contains("nan") && !Contains("inf"));
   const std::string path = html.substr(html.find("<path class=\"line c0\""));
@@ -118,18 +116,6 @@ TEST_CASE("Plots of nothing, of one point and of huge numbers are drawn without 
     }
   }
   CHECK_FALSE(has_points(LinePlot{.title = "t"}));
-}
-
-TEST_CASE("A figure against a parameter is sorted and has bars of one standard error") {
-  const std::vector<ParameterPoint> points{{3, {30, 3}}, {1, {10, 1}}, {2, {20, unknown}}};
-  const Curve curve = parameter_curve("power", points, 2);
-  CHECK(curve.x == std::vector<double>{1, 2, 3});
-  CHECK(curve.y == std::vector<double>{10, 20, 30});
-  LinePlot plot{.title = "Power against the setting"};
-  plot.curves.push_back(curve);
-  const std::string html = figure(plot);
-  CHECK(count(html, "class=\"bar c2\"") == 6);          // two bars with two caps each; one error is unknown
-  CHECK(count(html, "<circle class=\"dot c2\"") == 4);  // three points and the legend
 }
 
 TEST_CASE("A map is drawn with one path for each colour, and large ones become coarser") {

@@ -36,6 +36,21 @@ TEST_CASE("A steady run is good, and says over how much it is averaged") {
   CHECK_THAT(all_trust(v), Contains("10 blocks") && Contains("0.200\u00a0%") && Contains("not been validated"));
 }
 
+TEST_CASE("A steady part of few gyrations asks for caution") {
+  RunData run = crusher();
+  run.summary.steady->gyrations = 19;
+  const Verdict v = verdict(run);
+  CHECK(v.tone == Verdict::Tone::caution);
+  CHECK_THAT(all_trust(v), Contains("Fewer than 20 gyrations"));
+}
+
+TEST_CASE("A stall stays the worst that is said of a run that was interrupted") {
+  RunData run = crusher();
+  run.summary.stalled = true;
+  run.summary.status = RunStatus::interrupted;
+  CHECK(verdict(run).tone == Verdict::Tone::bad);
+}
+
 TEST_CASE("A start-up has no steady figures") {
   RunData run = crusher();
   run.summary.steady.reset();
